@@ -1,0 +1,44 @@
+# Two commands do everything on a fresh Debian 12: `make demo` and `make test`. The rest is for those who work on it.
+
+.DEFAULT_GOAL := help
+.PHONY: help setup build demo test bench fuzz check sanitize install clean
+
+help:
+	@echo 'make demo      install what is missing, build, and compute a real sky; names the files it wrote'
+	@echo 'make test      the same set-up, then every test'
+	@echo 'make bench     benchmarks'
+	@echo 'make fuzz      fuzz every parser of files from strangers, FUZZ_SECONDS=60 each'
+	@echo 'make check     a second compiler, format, clang-tidy, every header alone'
+	@echo 'make sanitize  the tests under the address and undefined-behaviour sanitizers'
+
+setup:
+	@tools/install-packages packages/debian.txt
+
+build/release/build.ninja: | setup
+	cmake --preset release
+
+build: setup build/release/build.ninja
+	cmake --build --preset release
+
+test: build
+	ctest --preset release --parallel $$(nproc)
+
+bench: build
+	tools/run-benchmarks build/release/benchmarks
+
+check: setup
+	@tools/install-packages packages/debian-check.txt
+	tools/check
+
+sanitize: setup
+	cmake --preset sanitize && cmake --build --preset sanitize && ctest --preset sanitize --parallel $$(nproc)
+
+fuzz: setup
+	@tools/install-packages packages/debian-fuzz.txt
+	tools/fuzz $${FUZZ_SECONDS:-60}
+
+install: build
+	cmake --install build/release
+
+clean:
+	rm -rf build out
