@@ -1,0 +1,24 @@
+// Phase functions, by the cosine nu of the scattering angle (1: forward); each integrates to one over the sphere.
+// Theory: docs/theory.md, section 3.
+
+// Rayleigh's, for particles without depolarisation. [Chandrasekhar1960, ch. 1, eq. 26]
+FN InverseSolidAngle rayleigh_phase(Number nu) {
+    return 3.0 / (16.0 * pi) * (1.0 + nu * nu) * per_sr;
+}
+
+// Rayleigh's with anisotropic molecules; gamma = depolarisation / (2 - depolarisation). [Chandrasekhar1960, ch. 1, eq. 29; Bucholtz1995, eq. 12]
+FN InverseSolidAngle depolarised_rayleigh_phase(Number gamma, Number nu) {
+    return 3.0 / (16.0 * pi * (1.0 + 2.0 * gamma)) * ((1.0 + 3.0 * gamma) + (1.0 - gamma) * nu * nu) * per_sr;
+}
+
+// Henyey and Greenstein's; g is the mean cosine, -1 < g < 1. [HenyeyGreenstein1941, eq. 2]
+FN InverseSolidAngle henyey_greenstein_phase(Number g, Number nu) {
+    Number k = 1.0 + g * g - 2.0 * g * nu;
+    return (1.0 - g * g) / (4.0 * pi * k * sqrt(k)) * per_sr;
+}
+
+// Cornette and Shanks': Rayleigh's as g -> 0. Its mean cosine is not g. [CornetteShanks1992, eq. 8]
+FN InverseSolidAngle cornette_shanks_phase(Number g, Number nu) {
+    Number k = 1.0 + g * g - 2.0 * g * nu;
+    return 3.0 * (1.0 - g * g) * (1.0 + nu * nu) / (8.0 * pi * (2.0 + g * g) * k * sqrt(k)) * per_sr;
+}

@@ -1,0 +1,53 @@
+// Rays in a spherical shell of air. Theory: docs/theory.md, section 1.
+// Altitudes, not radii, are the arguments, and differences of squares are factored: float then stays within
+// 3e-7 of double, where the textbook forms with radii lose up to 19 m.
+
+// Distance from a point to the top of the atmosphere, along a ray that does not meet the ground.
+//   h       altitude of the point above the ground, 0 <= h <= top
+//   mu      cosine of the ray's zenith angle at the point, -1 <= mu <= 1
+//   bottom  radius of the ground
+//   top     altitude of the top of the atmosphere
+// Returns a length >= 0. Theory: eq. 1.
+FN Length distance_to_top(Length h, Number mu, Length bottom, Length top) {
+    Area k = (top - h) * (2.0 * bottom + top + h);
+    Length p = (bottom + h) * mu;
+    Length s = sqrt(k + p * p);
+    return mu > 0.0 ? k / (p + s) : s - p;
+}
+
+// Whether a ray meets the ground: it goes down, and its perigee lies below the ground. Theory: eq. 2.
+FN bool meets_ground(Length h, Number mu, Length bottom) {
+    Length r = bottom + h;
+    return mu < 0.0 && r * r * (1.0 - mu * mu) < bottom * bottom;
+}
+
+// Cosine of the zenith angle of the horizon seen from altitude h: -1 <= mu <= 0. Theory: eq. 3.
+FN Number horizon_cosine(Length h, Length bottom) {
+    return -sqrt(h * (2.0 * bottom + h)) / (bottom + h);
+}
+
+// Distance to the ground along a ray that meets it. Theory: eq. 4.
+FN Length distance_to_ground(Length h, Number mu, Length bottom) {
+    Area k = h * (2.0 * bottom + h);
+    Length p = (bottom + h) * mu;
+    Length s = sqrt(max(p * p - k, 0.0 * m * m));
+    return k / (s - p);
+}
+
+// Altitude of the point at distance t along a ray. Theory: eq. 5.
+FN Length altitude_at(Length h, Number mu, Length t, Length bottom) {
+    Length r = bottom + h;
+    Area gain = t * (2.0 * r * mu + t);
+    Length r_t = sqrt(max(r * r + gain, 0.0 * m * m));
+    return h + gain / (r_t + r);
+}
+
+// Cosine of the zenith angle, at the point at distance t, of the ray itself: -1 <= mu_t <= 1. Theory: eq. 6.
+FN Number cosine_at(Length h, Number mu, Length t, Length h_t, Length bottom) {
+    return clamp(((bottom + h) * mu + t) / (bottom + h_t), Number(-1.0), Number(1.0));
+}
+
+// Cosine of the sun's zenith angle at the point at distance t; nu is the cosine between view and sun. Theory: eq. 7.
+FN Number sun_cosine_at(Length h, Number mu_s, Number nu, Length t, Length h_t, Length bottom) {
+    return clamp(((bottom + h) * mu_s + t * nu) / (bottom + h_t), Number(-1.0), Number(1.0));
+}
