@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/quadrature.h"
 #include "physics/f64.h"
 
 namespace airlight {
@@ -52,9 +53,7 @@ std::vector<Length> kinks(const DensityProfile& profile) {
 }
 
 Length column_depth(const DensityProfile& profile, Length top) {
-    // Gauss's rule with five points on pieces that end at the kinks.
-    constexpr double nodes[] = {0.0, 0.5384693101056831, 0.9061798459386640};
-    constexpr double weights[] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+    static const GaussRule rule = gauss_rule(5, 0.0, 1.0);
     std::vector<Length> ends = kinks(profile);
     // Pieces crowd towards the ground, where a scale height may be far smaller than the atmosphere.
     for (int i = 0; i <= 256; ++i) ends.push_back(std::pow(i / 256.0, 3.0) * top);
@@ -63,14 +62,8 @@ Length column_depth(const DensityProfile& profile, Length top) {
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
         const double low = std::clamp(ends[i].value, 0.0, top.value);
         const double high = std::clamp(ends[i + 1].value, 0.0, top.value);
-        const double middle = 0.5 * (low + high);
-        const double half = 0.5 * (high - low);
-        for (int k = 0; k < 3; ++k) {
-            const double shift = half * nodes[k];
-            double pair = relative_density(profile, Length::of(middle + shift));
-            if (k > 0) pair += relative_density(profile, Length::of(middle - shift));
-            sum += half * weights[k] * pair;
-        }
+        for (std::size_t k = 0; k < rule.nodes.size(); ++k)
+            sum += (high - low) * rule.weights[k] * relative_density(profile, Length::of(low + (high - low) * rule.nodes[k]));
     }
     return Length::of(sum);
 }

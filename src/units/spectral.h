@@ -87,6 +87,16 @@ AIRLIGHT_INLINE Spectral<R, N, L - L2, W - W2, S - S2, P - P2> operator/(const S
     return r;
 }
 
+template <class Scalar, int N>
+struct SpectralOfQuantity;
+template <class R, int L, int W, int S, int P, int N>
+struct SpectralOfQuantity<Quantity<R, L, W, S, P>, N> {
+    using Type = Spectral<R, N, L, W, S, P>;
+};
+// N wavelengths of the quantity `Scalar`.
+template <class Scalar, int N>
+using SpectralOf = typename SpectralOfQuantity<Scalar, N>::Type;
+
 // e^x without a branch or a library call, so that the loop over wavelengths stays in vector registers.
 // x is split into k ln 2 + f, |f| <= ln 2 / 2; e^f by its Taylor polynomial; 2^k by the exponent's bits.
 // float: |relative error| < 1.2e-7; double: < 3e-16. Below the range of normal numbers the result is 0.
