@@ -22,3 +22,20 @@ FN InverseSolidAngle cornette_shanks_phase(Number g, Number nu) {
     Number k = 1.0 + g * g - 2.0 * g * nu;
     return 3.0 * (1.0 - g * g) * (1.0 + nu * nu) / (8.0 * pi * (2.0 + g * g) * k * sqrt(k)) * per_sr;
 }
+
+// Schlick's rational stand-in for Henyey and Greenstein's, without a root; -1 < k < 1. [BlasiLeSaecSchlick1993, eq. 4]
+FN InverseSolidAngle schlick_phase(Number k, Number nu) {
+    Number q = 1.0 - k * nu;
+    return (1.0 - k * k) / (4.0 * pi * q * q) * per_sr;
+}
+
+// The k with which Schlick's comes closest to Henyey and Greenstein's of mean cosine g. [PharrHumphreys2004, ch. 11]
+FN Number schlick_parameter(Number g) {
+    return 1.55 * g - 0.55 * g * g * g;
+}
+
+// Rayleigh's with half the contrast, which Nielsen chose by eye for displays without a tone curve. [Nielsen2003, eq. 5.2]
+// His factor 3 / (16 pi) integrates to 13/8 over the sphere; this one to one.
+FN InverseSolidAngle softened_rayleigh_phase(Number nu) {
+    return 3.0 / (26.0 * pi) * (2.0 + 0.5 * nu * nu) * per_sr;
+}
