@@ -15,10 +15,11 @@ FN Length distance_to_top(Length h, Number mu, Length bottom, Length top) {
     return mu > 0.0 ? k / (p + s) : s - p;
 }
 
-// Whether a ray meets the ground: it goes down, and its perigee lies below the ground. Theory: eq. 2.
+// Whether a ray meets the ground: it goes down, and more steeply than to the horizon. Theory: eq. 2.
+// Not by the perigee's radius, r^2 (1 - mu^2) < bottom^2: 2 m up, the horizon's mu^2 is 6e-7, and float rounds 1 - mu^2 by 6e-8.
 FN bool meets_ground(Length h, Number mu, Length bottom) {
-    Length r = bottom + h;
-    return mu < 0.0 && r * r * (1.0 - mu * mu) < bottom * bottom;
+    Length p = (bottom + h) * mu;
+    return mu < 0.0 && p * p > h * (2.0 * bottom + h);
 }
 
 // Cosine of the zenith angle of the horizon seen from altitude h: -1 <= mu <= 0. Theory: eq. 3.
@@ -35,11 +36,13 @@ FN Length distance_to_ground(Length h, Number mu, Length bottom) {
 }
 
 // Altitude of the point at distance t along a ray. Theory: eq. 5.
+// r_t as the root of a sum of squares: r * r + gain cancels on the way past a small planet from far away,
+// where float then loses kilometres.
 FN Length altitude_at(Length h, Number mu, Length t, Length bottom) {
     Length r = bottom + h;
-    Area gain = t * (2.0 * r * mu + t);
-    Length r_t = sqrt(max(r * r + gain, 0.0 * m * m));
-    return h + gain / (r_t + r);
+    Length along = r * mu + t;
+    Length r_t = sqrt(max(along * along + r * r * ((1.0 - mu) * (1.0 + mu)), 0.0 * m * m));
+    return h + t * (r * mu + along) / (r_t + r);
 }
 
 // Cosine of the zenith angle, at the point at distance t, of the ray itself: -1 <= mu_t <= 1. Theory: eq. 6.

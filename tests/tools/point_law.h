@@ -1,0 +1,112 @@
+// A function of the shared text, called by name in any of its readings on rows of plain numbers.
+// The tests of precision (double against float) and of parity (float against the GPU) take it from here.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "physics/f32.h"
+#include "physics/f64.h"
+
+namespace airlight::test {
+
+// The arguments of one call, in the order of the text, in base units. Each is a float's value, so that
+// every reading gets the same input.
+using Row = std::vector<double>;
+
+struct PointLaw {
+    std::string name;
+    std::string call;  // the call as GLSL spells it, of a float x[]: "distance_to_top(x[0], x[1], x[2], x[3])"
+    std::function<double(std::span<const double>)> f64;
+    std::function<double(std::span<const double>)> f32;
+    std::vector<Row> rows;
+    double roundings;  // the bound on float's error, in roundings of the arguments and the result
+    int ulps;          // the bound on the GPU's distance from float, in units in the last place
+};
+
+// The largest errors of float found over the rows of a law.
+struct Loss {
+    double relative = 0.0;   // |f32 - f64| / |f64|
+    double absolute = 0.0;   // |f32 - f64|, base units
+    double roundings = 0.0;  // |f32 - f64|, in what rounding the result and the arguments once would do
+    Row worst;               // where `roundings` is largest
+};
+
+// Measures one law over its rows. An error is counted in roundings: the change of the exact result when it, and each
+// argument in turn, moves by one rounding (2^-24). Where an answer hangs on the last digit of its arguments, as the
+// distance to the ground of a grazing ray does, no formula can do better than a few.
+Loss measure(const PointLaw& law);
+
+// How far apart two floats are, counted in floats between them; 0 for +0 and -0, and for two NaN.
+long ulps_between(float a, float b);
+
+namespace detail {
+
+template <class A>
+A argument(double x) {
+    if constexpr (std::is_same_v<A, int>)
+        return static_cast<int>(x);
+    else if constexpr (requires { A::size; })
+        return A(A::Scalar::of(static_cast<typename A::Rep>(x)));
+    else
+        return A::of(static_cast<typename A::Rep>(x));
+}
+
+template <class A>
+std::string glsl_argument(std::size_t i) {
+    const std::string x = "x[" + std::to_string(i) + "]";
+    if constexpr (std::is_same_v<A, int>)
+        return "int(" + x + ")";
+    else if constexpr (requires { A::size; })
+        return "Spectrum(" + x + ")";
+    else
+        return x;
+}
+
+template <class R>
+double result(const R& r) {
+    if constexpr (std::is_same_v<R, bool> || std::is_same_v<R, int>)
+        return r;
+    else if constexpr (requires { R::size; })
+        return static_cast<double>(r.v[0]);
+    else
+        return static_cast<double>(r.value);
+}
+
+template <class R, class... A>
+std::function<double(std::span<const double>)> caller(R (*f)(A...)) {
+    return [f](std::span<const double> x) {
+        return [&]<std::size_t... I>(std::index_sequence<I...>) {
+            return result(f(argument<std::decay_t<A>>(x[I])...));
+        }(std::index_sequence_for<A...>());
+    };
+}
+
+template <class R, class... A>
+std::string glsl_call(const std::string& name, R (*)(A...)) {
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+        std::string arguments;
+        ((arguments += (I == 0 ? "" : ", ") + glsl_argument<std::decay_t<A>>(I)), ...);
+        const std::string call = name + "(" + arguments + ")";
+        if constexpr (requires { R::size; }) return call + "[0]";
+        return "float(" + call + ")";
+    }(std::index_sequence_for<A...>());
+}
+
+template <class F64, class F32>
+PointLaw point_law(const std::string& name, F64 f64, F32 f32, std::vector<Row> rows, double roundings, int ulps) {
+    return {name, glsl_call(name, f32), caller(f64), caller(f32), std::move(rows), roundings, ulps};
+}
+
+}  // namespace detail
+
+// POINT_LAW(name, rows, roundings, ulps): the function `name` of the shared text, in all its readings.
+#define POINT_LAW(name, rows, roundings, ulps) \
+    airlight::test::detail::point_law(#name, &airlight::f64::name, &airlight::f32::name, rows, roundings, ulps)
+
+}  // namespace airlight::test

@@ -1,0 +1,108 @@
+#include "tools/point_laws.h"
+
+#include "tools/domain.h"
+
+// The bound on float, `roundings`, is the number of operations of the formula that round (+ - * / sqrt), a root halving
+// those under it, when every step is stable: sums of terms of one sign, or differences of arguments. A cancelling
+// difference of rounded terms would exceed it by orders of magnitude. Products with a power of two, and differences of
+// floats within a factor of two of each other, are exact. `exp` counts as two roundings.
+//
+// The bound on the GPU, `ulps`, is 0 where the text has only + - * / sqrt and comparisons, in which IEEE 754 leaves no
+// choice; division and root on a GPU may round differently by 2.5 and 3 ulps (Vulkan's and OpenCL's bounds), llvmpipe
+// rounds them exactly.
+
+namespace airlight::test {
+
+namespace {
+
+std::vector<Row> start(const std::vector<ShellRay>& rays) {
+    return rows(rays, [](const ShellRay& r) { return Row{r.h, r.mu, r.bottom}; });
+}
+
+std::vector<Row> start_and_top(const std::vector<ShellRay>& rays) {
+    return rows(rays, [](const ShellRay& r) { return Row{r.h, r.mu, r.bottom, r.top}; });
+}
+
+// Points along every ray: h, mu, t, bottom.
+std::vector<Row> points_along() {
+    std::vector<Row> all;
+    for (const ShellRay& r : all_rays())
+        for (const double t : distances_along(r)) all.push_back({r.h, r.mu, t, r.bottom});
+    return all;
+}
+
+// Points along every ray with their altitudes: h, mu, t, h_t, bottom.
+std::vector<Row> points_and_altitudes() {
+    std::vector<Row> all;
+    for (const Row& p : points_along()) {
+        using L = f64::Length;
+        const double h_t = f64::altitude_at(L::of(p[0]), f64::Number::of(p[1]), L::of(p[2]), L::of(p[3])).value;
+        all.push_back({p[0], p[1], p[2], to_float(std::max(h_t, 0.0)), p[3]});
+    }
+    return all;
+}
+
+// The same with a sun: h, mu_s, nu, t, h_t, bottom.
+std::vector<Row> points_and_suns() {
+    std::vector<Row> all;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> turn(-1.0, 1.0);
+    for (const Row& p : points_and_altitudes()) {
+        const double mu_s = turn(random);
+        const double nu = p[1] * mu_s + std::sqrt((1.0 - p[1] * p[1]) * (1.0 - mu_s * mu_s)) * turn(random);
+        all.push_back({p[0], to_float(mu_s), to_float(nu), p[2], p[3], p[4]});
+    }
+    return all;
+}
+
+std::vector<double> peaks() { return {-0.999, -0.9, -0.3, -1e-3, 0.0, 1e-3, 0.3, 0.65, 0.76, 0.9, 0.99, 0.999}; }
+std::vector<double> altitudes() { return {0.0, 1.0, 300.0, 1200.0, 8000.0, 25e3, 60e3, 100e3, 400e3, 10000e3, 100000e3}; }
+
+}  // namespace
+
+std::vector<PointLaw> shell_laws() {
+    return {
+        // k 4, p 2, p p 5, sum 6, root 4, divisor 5, quotient 10
+        POINT_LAW(distance_to_top, start_and_top(rays_to_the_top()), 10, 0),
+        // p 2, p p 5, k 3: 8 between the two sides
+        POINT_LAW(meets_ground, start(all_rays()), 8, 0),
+        // k 3, root 3, sum 1, quotient 5
+        POINT_LAW(horizon_cosine, rows(all_rays(), [](const ShellRay& r) { return Row{r.h, r.bottom}; }), 5, 0),
+        // p 2, p p 5, difference 6 (it cancels as mu nears the horizon's: counted against mu), root 4, sum 5, k 3, quotient 9
+        POINT_LAW(distance_to_ground, start(rays_to_the_ground()), 9, 0),
+        // r 1, along 3, squares 7 and 6, sum 8, root 5, divisor 6, dividend 5 (it cancels: counted against t), quotient 12, sum 13
+        POINT_LAW(altitude_at, points_along(), 13, 0),
+        // r 1, product 2, sum 3, r_t 1, quotient 5
+        POINT_LAW(cosine_at, points_and_altitudes(), 5, 0),
+        // r 1, products 2 and 1, sum 3, r_t 1, quotient 5
+        POINT_LAW(sun_cosine_at, points_and_suns(), 5, 0),
+    };
+}
+
+std::vector<PointLaw> density_laws() {
+    const std::vector<double> scale_heights = {100.0, 1200.0, 8000.0, 11e3, 1000e3};
+    return {
+        // quotient 1 (counted against h), exp 2
+        POINT_LAW(exponential_density, combinations({altitudes(), scale_heights}), 3, 3),
+        POINT_LAW(layer_density, combinations({altitudes(), {0.0, 1e3, 10e3}, {20e3, 25e3, 100e3}}), 1, 0),
+        // differences 1 and 1, quotient 3
+        POINT_LAW(triangle_density, combinations({altitudes(), {0.0, 10e3, 10.1e3}, {24e3, 25e3}, {40e3, 41.7e3}}), 3, 0),
+    };
+}
+
+std::vector<PointLaw> phase_laws() {
+    return {
+        // constant 3, nu nu and sum 2, product 6, product 7
+        POINT_LAW(rayleigh_phase, combinations({cosines()}), 7, 0),
+        // divisor 5, quotient 6, sum of terms 4, products 12
+        POINT_LAW(depolarised_rayleigh_phase, combinations({{0.0, 0.01, 0.0148, 0.2, 1.0}, cosines()}), 12, 0),
+        // squares 3, product 3, sum 4
+        POINT_LAW(peak_distance_squared, combinations({peaks(), cosines()}), 4, 0),
+        // k 4, k sqrt(k) 8, divisor 11, dividend 3, quotient 15
+        POINT_LAW(henyey_greenstein_phase, combinations({peaks(), cosines()}), 15, 0),
+        // dividend 8, divisor 15, quotient 24
+        POINT_LAW(cornette_shanks_phase, combinations({peaks(), cosines()}), 24, 0),
+    };
+}
+
+}  // namespace airlight::test
