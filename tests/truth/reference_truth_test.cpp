@@ -1,0 +1,157 @@
+// The Monte Carlo reference against independent programs: discrete ordinates in the flat limit, another Monte Carlo on the
+// sphere, and the exact light of a real day's air. Each case prints its figures.
+// The light version takes every n-th row with few paths; `make truth` takes all rows with many.
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "figures.h"
+#include "skies.h"
+#include "transport/reference.h"
+
+using namespace airlight;
+using truth::Row;
+
+namespace {
+
+// The deviation of our figures from others', row by row.
+struct Comparison {
+    int rows = 0, beyond = 0;
+    double sum_deviation = 0.0, sum_chi_square = 0.0, worst_excess = 0.0, sum_standard_error = 0.0;
+    std::string worst_row;
+
+    // `sigmas` standard errors and one in a hundred are allowed.
+    void add(const std::string& name, double ours, double our_error, double theirs, double their_error, double sigmas) {
+        const double error = std::hypot(our_error, their_error);
+        const double excess = (std::abs(ours - theirs) - 0.01 * theirs) / error;
+        ++rows;
+        sum_deviation += std::abs(ours / theirs - 1.0);
+        sum_standard_error += error / theirs;
+        sum_chi_square += (ours - theirs) * (ours - theirs) / (error * error);
+        if (excess > sigmas) {
+            ++beyond;
+            fmt::print("    beyond: {}: {:.5e} +- {:.1e} against {:.5e} +- {:.1e} ({:+.2f} %)\n", name, ours, our_error, theirs, their_error, 100.0 * (ours / theirs - 1.0));
+        }
+        if (excess > worst_excess) {
+            worst_excess = excess;
+            worst_row = name;
+        }
+    }
+    void print(const char* what) const {
+        fmt::print("  {}: {} rows, mean absolute deviation {:.3f} %, mean standard error {:.3f} %, chi-square per row {:.3f}, beyond the bound {}\n", what, rows,
+                   100.0 * sum_deviation / rows, 100.0 * sum_standard_error / rows, sum_chi_square / rows, beyond);
+    }
+};
+
+double angle_to_sun(const Row& row) {
+    const double v = row["view_zenith_deg"] * deg, s = row["sun_zenith_deg"] * deg, a = row["relative_azimuth_deg"] * deg;
+    return std::acos(std::clamp(std::cos(v) * std::cos(s) + std::sin(v) * std::sin(s) * std::cos(a), -1.0, 1.0)) / deg;
+}
+
+View view_of(const Row& row) {
+    return {row["eye_altitude_m"] * m, row["view_zenith_deg"] * deg, row["sun_zenith_deg"] * deg, row["relative_azimuth_deg"] * deg};
+}
+
+std::string name_of(const Row& row) {
+    return fmt::format("{} sun {} eye {} km view {} azimuth {}", row.text("case"), row["sun_zenith_deg"], row["eye_altitude_m"] / 1000.0, row["view_zenith_deg"], row["relative_azimuth_deg"]);
+}
+
+std::vector<Wavelength> in_nm(const std::vector<double>& values) {
+    std::vector<Wavelength> result;
+    for (const double v : values) result.push_back(v * nm);
+    return result;
+}
+
+bool absent(const std::vector<Row>& rows, const char* name) {
+    if (!rows.empty()) return false;
+    fmt::print("[skipped] {} is absent; AIRLIGHT_REFERENCE may name its folder\n", name);
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("in the flat limit the reference agrees with discrete ordinates") {
+    const std::vector<Row> rows = truth::rows("plane_parallel.csv");
+    if (absent(rows, "plane_parallel.csv")) return;
+    const Length radius = 1e11 * m;
+    const std::int64_t paths = truth::full() ? 16384 : 2048;
+    const std::size_t stride = truth::full() ? 1 : 9;
+    // Rows of the three skies with the same geometry are three wavelengths of one estimate.
+    std::map<std::string, std::vector<const Row*>> geometries;
+    for (const Row& row : rows)
+        geometries[row.text("case").starts_with("sky") ? fmt::format("{} {} {} {}", row["sun_zenith_deg"], row["eye_altitude_m"], row["view_zenith_deg"], row["relative_azimuth_deg"]) : name_of(row)].push_back(&row);
+    const Reference skies = *Reference::of(truth::sky(radius), in_nm(truth::sky_wavelengths_nm));
+    std::map<std::string, Reference> slabs;
+    Comparison all, near_sun;
+    std::size_t index = 0;
+    for (const auto& [key, group] : geometries) {
+        if (index++ % stride != 0) continue;
+        const Row& first = *group.front();
+        const bool sky = first.text("case").starts_with("sky");
+        if (!sky && !slabs.contains(first.text("case")))
+            slabs.emplace(first.text("case"), *Reference::of(truth::slab(first.text("case"), first["ground_albedo"], radius), {550.0 * nm}));
+        const Reference& reference = sky ? skies : slabs.at(first.text("case"));
+        const RadianceEstimate estimate = *reference.radiance(view_of(first), {.paths = paths, .seed = 20260101 + index});
+        for (const Row* row : group) {
+            const std::size_t lane = sky ? static_cast<std::size_t>(std::find(truth::sky_names.begin(), truth::sky_names.end(), row->text("case")) - truth::sky_names.begin()) : 0;
+            (angle_to_sun(*row) < 3.0 ? near_sun : all)
+                .add(name_of(*row), estimate.radiance_W_m2_sr_nm[lane], estimate.standard_error[lane], (*row)["radiance_per_irradiance_sr-1"], 0.0, 4.5);
+        }
+    }
+    all.print("plane_parallel.csv");
+    near_sun.print("  within 3 degrees of the sun (not judged)");
+    CHECK(all.sum_deviation / all.rows <= 0.005);
+    CHECK(all.beyond == 0);
+}
+
+TEST_CASE("on the sphere the reference agrees with another Monte Carlo, at twilight and from space") {
+    const std::vector<Row> rows = truth::rows("spherical.csv");
+    if (absent(rows, "spherical.csv")) return;
+    const std::int64_t paths = truth::full() ? 131072 : 8192;
+    const Reference skies = *Reference::of(truth::sky(6360.0 * km), in_nm(truth::sky_wavelengths_nm));
+    Comparison all, dark;
+    std::size_t index = 0;
+    for (const Row& row : rows) {
+        if (index++ % (truth::full() ? 1 : 5) != 0) continue;
+        const std::size_t lane = static_cast<std::size_t>(std::find(truth::sky_names.begin(), truth::sky_names.end(), row.text("case")) - truth::sky_names.begin());
+        const RadianceEstimate estimate = *skies.radiance(view_of(row), {.paths = paths, .seed = 7 + index});
+        (row["radiance_per_irradiance_sr-1"] < 1e-6 ? dark : all)
+            .add(name_of(row), estimate.radiance_W_m2_sr_nm[lane], estimate.standard_error[lane], row["radiance_per_irradiance_sr-1"], row["standard_error"], 4.0);
+    }
+    all.print("spherical.csv");
+    if (dark.rows > 0) dark.print("  below 1e-6 sr-1 (not judged)");
+    CHECK(all.beyond == 0);
+    CHECK(all.sum_chi_square / all.rows <= 1.3);
+}
+
+TEST_CASE("the reference agrees with the exact light of a measured day's air") {
+    const std::vector<Row> rows = truth::rows("exact_sky.csv");
+    const std::vector<Row> bands = truth::rows("measured_sky_atmosphere.csv");
+    if (absent(rows, "exact_sky.csv") || absent(bands, "measured_sky_atmosphere.csv")) return;
+    std::vector<double> wavelengths;
+    for (const Row& row : rows)
+        if (std::find(wavelengths.begin(), wavelengths.end(), row["wavelength_nm"]) == wavelengths.end()) wavelengths.push_back(row["wavelength_nm"]);
+    const Reference reference = *Reference::of(truth::measured_sky(bands), in_nm(wavelengths));
+    std::map<std::string, std::vector<const Row*>> geometries;
+    for (const Row& row : rows) geometries[fmt::format("{} {} {}", row.text("time"), row["view_zenith_deg"], row["view_azimuth_deg"])].push_back(&row);
+    Comparison all;
+    double sum_square = 0.0;
+    std::size_t index = 0;
+    for (const auto& [key, group] : geometries) {
+        if (index++ % (truth::full() ? 1 : 5) != 0) continue;
+        const Row& first = *group.front();
+        const View view{0.0 * m, first["view_zenith_deg"] * deg, first["sun_zenith_deg"] * deg, (first["view_azimuth_deg"] - first["sun_azimuth_deg"]) * deg};
+        const RadianceEstimate estimate = *reference.radiance(view, {.paths = truth::full() ? 131072 : 8192, .seed = 11 + index});
+        for (const Row* row : group) {
+            const std::size_t lane = static_cast<std::size_t>(std::find(wavelengths.begin(), wavelengths.end(), (*row)["wavelength_nm"]) - wavelengths.begin());
+            const double theirs = (*row)["radiance_W_m-2_sr-1_nm-1"];
+            all.add(key, estimate.radiance_W_m2_sr_nm[lane], estimate.standard_error[lane], theirs, (*row)["standard_error"], 4.0);
+            sum_square += std::pow(estimate.radiance_W_m2_sr_nm[lane] - theirs, 2);
+        }
+    }
+    all.print("exact_sky.csv");
+    fmt::print("  root-mean-square difference {:.3f} mW m-2 sr-1 nm-1\n", 1000.0 * std::sqrt(sum_square / all.rows));
+    CHECK(all.sum_chi_square / all.rows <= 1.3);
+}
