@@ -28,7 +28,10 @@ inline Atmosphere sky(Length radius) {
         for (const double d : depths) values.push_back(d / column_depth(profile, top));
         return spectrum(sky_wavelengths_nm, values);
     };
-    Atmosphere a{.name = "three skies", .bottom_radius = radius, .top_altitude = top};
+    Atmosphere a;
+    a.name = "three skies";
+    a.bottom_radius = radius;
+    a.top_altitude = top;
     a.constituents.push_back({.name = "air", .profile = air, .scattering = coefficient(air, {0.2184, 0.0973, 0.0494}), .phase = RayleighPhase{}});
     a.constituents.push_back({.name = "aerosol", .profile = aerosol,
                               .scattering = coefficient(aerosol, {0.05 * 0.92, 0.05 * 0.92, 0.30 * 0.90}),
@@ -47,7 +50,10 @@ inline Atmosphere slab(const std::string& name, double ground_albedo, Length rad
         return at == std::string::npos ? otherwise : std::strtod(name.c_str() + at + std::string(word).size(), nullptr);
     };
     const double tau = number_after("_tau", 0.0), single = number_after("_ssa", 1.0);
-    Atmosphere a{.name = name, .bottom_radius = radius, .top_altitude = top};
+    Atmosphere a;
+    a.name = name;
+    a.bottom_radius = radius;
+    a.top_altitude = top;
     const auto constant = [](InverseLength x) { return SpectrumOf<InverseLength>::constant(x); };
     PhaseFunction phase = RayleighPhase{};
     if (name.find("_hg") != std::string::npos) phase = HenyeyGreensteinPhase{SpectrumOf<Number>::constant(number_after("_hg", 0.0))};
@@ -58,7 +64,10 @@ inline Atmosphere slab(const std::string& name, double ground_albedo, Length rad
 
 // The air of measured_sky_atmosphere.csv.
 inline Atmosphere measured_sky(const std::vector<Row>& bands) {
-    Atmosphere a{.name = "Ithaca, 2013-05-27", .bottom_radius = 6360.0 * km, .top_altitude = 60.0 * km};
+    Atmosphere a;
+    a.name = "Ithaca, 2013-05-27";
+    a.bottom_radius = 6360.0 * km;
+    a.top_altitude = 60.0 * km;
     std::vector<double> wavelengths;
     std::vector<InverseLength> rayleigh, scattering, absorption;
     std::vector<Number> albedo;
