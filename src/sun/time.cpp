@@ -8,6 +8,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/scanner.h"
+
 namespace airlight {
 
 namespace {
@@ -52,72 +54,45 @@ int month_length(int year, int month) {
     return lengths[month - 1] + (month == 2 && leap ? 1 : 0);
 }
 
-// Reads text from its front, piece by piece.
-class Reader {
-public:
-    explicit Reader(std::string_view text) : rest_(text) {}
-
-    bool empty() const { return rest_.empty(); }
-    bool skip(char c) {
-        if (!rest_.starts_with(c)) return false;
-        rest_.remove_prefix(1);
-        return true;
-    }
-    // Exactly `count` digits.
-    std::optional<int> digits(std::size_t count) {
-        if (rest_.size() < count) return {};
-        int value = 0;
-        for (char c : rest_.substr(0, count)) {
-            if (c < '0' || c > '9') return {};
-            value = value * 10 + (c - '0');
-        }
-        rest_.remove_prefix(count);
-        return value;
-    }
-    // The digits after the decimal sign, as a fraction.
-    std::optional<double> fraction() {
-        double value = 0.0;
-        double place = 0.1;
-        if (!digit()) return {};
-        for (; digit(); rest_.remove_prefix(1), place *= 0.1) value += (rest_.front() - '0') * place;
-        return value;
-    }
-    bool digit() const { return !rest_.empty() && rest_.front() >= '0' && rest_.front() <= '9'; }
-
-private:
-    std::string_view rest_;
-};
+// The digits after the decimal sign. Nanoseconds are kept: a sum of 0.999... must not reach the next second.
+std::optional<double> read_fraction(Scanner& scanner) {
+    double value = 0.0;
+    double place = 0.1;
+    if (!scanner.at_digit()) return {};
+    for (; scanner.at_digit(); place *= 0.1) value += *scanner.digits(1) * place;
+    return std::min(value, 1.0 - 1e-9);
+}
 
 // hh:mm, hh:mm:ss or hh:mm:ss.sss into `t`.
-bool read_clock(Reader& reader, Utc& t) {
-    const auto hour = reader.digits(2);
-    if (!hour || !reader.skip(':')) return false;
-    const auto minute = reader.digits(2);
+bool read_clock(Scanner& scanner, Utc& t) {
+    const auto hour = scanner.digits(2);
+    if (!hour || !scanner.skip(":")) return false;
+    const auto minute = scanner.digits(2);
     if (!minute) return false;
     t.hour = *hour;
     t.minute = *minute;
-    if (!reader.skip(':')) return true;
-    const auto second = reader.digits(2);
+    if (!scanner.skip(":")) return true;
+    const auto second = scanner.digits(2);
     if (!second) return false;
     t.second = *second;
-    if (!reader.skip('.') && !reader.skip(',')) return true;
-    const auto fraction = reader.fraction();
+    if (!scanner.skip(".") && !scanner.skip(",")) return true;
+    const auto fraction = read_fraction(scanner);
     if (!fraction) return false;
-    t.second += std::min(*fraction, 1.0 - 1e-9);  // a sum of 0.999... must not reach the next second
+    t.second += *fraction;
     return true;
 }
 
 // Z, +hh:mm, +hhmm, +hh or nothing: minutes that the clock is ahead of UTC.
-std::optional<int> read_offset(Reader& reader) {
-    if (reader.empty() || reader.skip('Z') || reader.skip('z')) return 0;
-    const bool behind = reader.skip('-');
-    if (!behind && !reader.skip('+')) return {};
-    const auto hours = reader.digits(2);
+std::optional<int> read_offset(Scanner& scanner) {
+    if (scanner.empty() || scanner.skip("Z") || scanner.skip("z")) return 0;
+    const bool behind = scanner.skip("-");
+    if (!behind && !scanner.skip("+")) return {};
+    const auto hours = scanner.digits(2);
     if (!hours) return {};
     int minutes = 0;
-    if (!reader.empty()) {
-        reader.skip(':');
-        const auto read = reader.digits(2);
+    if (!scanner.empty()) {
+        scanner.skip(":");
+        const auto read = scanner.digits(2);
         if (!read) return {};
         minutes = *read;
     }
@@ -146,22 +121,22 @@ Result<Utc> utc_of(Utc t) {
 
 Result<Utc> parse_utc(std::string_view text) {
     const auto refuse = [&](std::string_view why) { return Error{"", fmt::format("\"{}\" is not a time: {}", text, why), form}; };
-    Reader reader(text);
+    Scanner scanner(text);
     Utc t;
-    const auto year = reader.digits(4);
-    if (!year || !reader.skip('-')) return refuse("it must begin with a year of four digits and '-'");
-    const auto month = reader.digits(2);
-    if (!month || !reader.skip('-')) return refuse("after the year comes a month of two digits and '-'");
-    const auto day = reader.digits(2);
+    const auto year = scanner.digits(4);
+    if (!year || !scanner.skip("-")) return refuse("it must begin with a year of four digits and '-'");
+    const auto month = scanner.digits(2);
+    if (!month || !scanner.skip("-")) return refuse("after the year comes a month of two digits and '-'");
+    const auto day = scanner.digits(2);
     if (!day) return refuse("after the month comes a day of two digits");
     t = {*year, *month, *day, 0, 0, 0.0};
     std::optional<int> offset = 0;
-    if (!reader.empty()) {
-        if (!reader.skip('T') && !reader.skip('t') && !reader.skip(' ')) return refuse("between date and time stands 'T'");
-        if (!read_clock(reader, t)) return refuse("the clock is hh:mm or hh:mm:ss, with two digits each");
-        offset = read_offset(reader);
+    if (!scanner.empty()) {
+        if (!scanner.skip("T") && !scanner.skip("t") && !scanner.skip(" ")) return refuse("between date and time stands 'T'");
+        if (!read_clock(scanner, t)) return refuse("the clock is hh:mm or hh:mm:ss, with two digits each");
+        offset = read_offset(scanner);
     }
-    if (!offset || !reader.empty()) return refuse("after the time comes 'Z', an offset such as +02:00, or nothing (UTC)");
+    if (!offset || !scanner.empty()) return refuse("after the time comes 'Z', an offset such as +02:00, or nothing (UTC)");
     if (*offset == 0) return utc_of(t);
 
     // A clock ahead of UTC reads its own leap second: only the minute of UTC can tell whether it exists.
