@@ -1,0 +1,74 @@
+// Maps between physical arguments and table coordinates in [0, 1]. Theory: docs/theory.md, section 5.
+// Each pair is a map and its inverse; the tests go there and back at every table size.
+
+// The coordinate of a texture with `size` texels whose first and last texel centres stand for x = 0 and x = 1.
+FN Number texture_coordinate(Number x, int size) {
+    return 0.5 / Number(size) + x * (1.0 - 1.0 / Number(size));
+}
+
+// Altitude: texels crowd towards the ground as the square. Theory: eq. 20.
+FN Number altitude_coordinate(Length h, Length top) {
+    return sqrt(clamp(h / top, Number(0.0), Number(1.0)));
+}
+FN Length altitude_of_coordinate(Number x, Length top) {
+    return x * x * top;
+}
+
+// Direction of a ray that does not meet the ground, by its distance d to the top of the atmosphere: nearly even in d where
+// d is small, in 1/d where it is large, so that neither a steep ray nor a grazing one is short of texels. Theory: eq. 21.
+FN Number transmittance_cosine_coordinate(Length h, Number mu, Length bottom, Length top) {
+    Length d = distance_to_top(h, mu, bottom, top);
+    Length nearest = top - h;
+    Length farthest = sqrt(h * (2.0 * bottom + h)) + sqrt(top * (2.0 * bottom + top));
+    Length knee = 3.0 * top;
+    return clamp((d - nearest) / (d + knee) * ((farthest + knee) / (farthest - nearest)), Number(0.0), Number(1.0));
+}
+FN Number transmittance_cosine_of_coordinate(Length h, Number x, Length bottom, Length top) {
+    Length nearest = top - h;
+    Length farthest = sqrt(h * (2.0 * bottom + h)) + sqrt(top * (2.0 * bottom + top));
+    Length knee = 3.0 * top;
+    Number q = x * ((farthest - nearest) / (farthest + knee));
+    Length d = (nearest + q * knee) / (1.0 - q);
+    if (d <= 0.0 * m) return Number(1.0);
+    Area k = (top - h) * (2.0 * bottom + top + h);
+    return clamp((k - d * d) / (2.0 * (bottom + h) * d), Number(-1.0), Number(1.0));
+}
+
+// Sun: texels crowd around a zenith angle of 95 degrees, where twilight fades by a factor in each degree;
+// the coordinate runs from 120 degrees (0) to the zenith (1). Theory: eq. 22.
+const Number twilight_cosine = -0.087;
+const Number twilight_width = 0.08;
+const Number lowest_sun_cosine = -0.5;
+FN Number sun_coordinate(Number mu_s) {
+    Number low = asinh((lowest_sun_cosine - twilight_cosine) / twilight_width);
+    Number high = asinh((1.0 - twilight_cosine) / twilight_width);
+    return clamp((asinh((mu_s - twilight_cosine) / twilight_width) - low) / (high - low), Number(0.0), Number(1.0));
+}
+FN Number sun_of_coordinate(Number x) {
+    Number low = asinh((lowest_sun_cosine - twilight_cosine) / twilight_width);
+    Number high = asinh((1.0 - twilight_cosine) / twilight_width);
+    return clamp(twilight_cosine + twilight_width * sinh(low + x * (high - low)), Number(-1.0), Number(1.0));
+}
+
+// View zenith angle: even in the angle. Theory: eq. 23.
+FN Number view_coordinate(Number mu) {
+    return acos(clamp(mu, Number(-1.0), Number(1.0))) / pi;
+}
+FN Number view_of_coordinate(Number x) {
+    return cos(x * pi);
+}
+
+// Relative azimuth phi, by its cosine: even in sin(phi / 2), which is nearly even in the angle near the sun. Theory: eq. 24.
+FN Number azimuth_coordinate(Number cos_phi) {
+    return sqrt(clamp(0.5 * (1.0 - cos_phi), Number(0.0), Number(1.0)));
+}
+FN Number azimuth_cosine_of_coordinate(Number x) {
+    return 1.0 - 2.0 * x * x;
+}
+
+// The cosine of the relative azimuth of view and sun, from the cosines of their zenith angles and of the angle between them.
+// Where one of them stands in the zenith the azimuth has no meaning, and 1 is returned. Theory: eq. 25.
+FN Number relative_azimuth_cosine(Number mu, Number mu_s, Number nu) {
+    Number sines = sqrt(max((1.0 - mu * mu) * (1.0 - mu_s * mu_s), Number(0.0)));
+    return sines > 1e-6 ? clamp((nu - mu * mu_s) / sines, Number(-1.0), Number(1.0)) : Number(1.0);
+}

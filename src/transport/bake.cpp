@@ -1,0 +1,325 @@
+#include "transport/bake.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+#include "core/parallel.h"
+#include "core/quadrature.h"
+#include "transport/harmonics.h"
+
+namespace airlight {
+
+namespace {
+
+using f32::IrradianceSpectrum;
+using f32::RadianceSpectrum;
+
+// Degree of the harmonics in which light is scattered; with it the radiance of Earth's sky in haze changes by less than 0.1 %
+// when the degree is doubled. (Rayleigh's phase function ends at degree 2; Henyey and Greenstein's with g = 0.8 falls to 0.8^20 = 0.01.)
+constexpr HarmonicLayout layout{20};
+constexpr int nodes_per_piece = 12;
+
+// Directions of quadrature: sky and ground apart, both crowding towards the horizon between them.
+constexpr int sky_angles = 20;
+constexpr int ground_angles = 12;
+constexpr int view_angles = sky_angles + ground_angles;
+constexpr int azimuths = 22;  // midpoints over half a turn: exact for products of two harmonics of degree 20
+
+// Phase functions are clipped at this angle from the sun; what stands above the clip is integrated over a disk of its own.
+constexpr double peak_radius = 25.0 * deg;
+constexpr int peak_rings = 12;
+constexpr int peak_spokes = 12;
+
+template <class Spectrum>
+AIRLIGHT_INLINE Spectrum zero() {
+    return Spectrum(Spectrum::Scalar::of(0.0f));
+}
+
+template <class Spectrum>
+AIRLIGHT_INLINE void add_scaled(Spectrum& sum, const Spectrum& x, float factor) {
+    for (int w = 0; w < Spectrum::size; ++w) sum.v[w] += factor * x.v[w];
+}
+
+// The directions at one altitude, with their solid angles but for the azimuth's share.
+struct ViewRule {
+    struct Angle {
+        double mu;
+        float weight;                   // d mu
+        std::vector<float> legendre;    // [layout.count()]
+    };
+    std::vector<Angle> angles;
+};
+
+ViewRule view_rule(double horizon_cosine) {
+    ViewRule rule;
+    const double horizon = std::acos(horizon_cosine);
+    const auto add = [&](int count, double from, double range) {
+        const GaussRule gauss = gauss_rule(count, 0.0, 1.0);
+        for (std::size_t i = 0; i < gauss.nodes.size(); ++i) {
+            const double s = gauss.nodes[i];
+            const double angle = from + range * s * s;
+            const double weight = gauss.weights[i] * 2.0 * s * std::abs(range) * std::sin(angle);
+            rule.angles.push_back({std::cos(angle), static_cast<float>(weight), legendre_values(layout, std::cos(angle))});
+        }
+    };
+    add(sky_angles, horizon, -horizon);
+    add(ground_angles, horizon, pi - horizon);
+    return rule;
+}
+
+// The directions within the peak's disk around the sun at one of its zenith angles.
+struct PeakRule {
+    struct Direction {
+        double mu;
+        double nu;
+        float weight;                 // solid angle, both halves of the disk
+        std::vector<float> harmonic;  // [layout.count()]
+    };
+    std::vector<Direction> directions;
+};
+
+PeakRule peak_rule(double mu_s) {
+    PeakRule rule;
+    const GaussRule rings = gauss_rule(peak_rings, 0.0, 1.0);
+    const double sin_s = std::sqrt(std::max(0.0, 1.0 - mu_s * mu_s));
+    for (std::size_t i = 0; i < rings.nodes.size(); ++i) {
+        const double s = rings.nodes[i];
+        const double gamma = peak_radius * s * s;
+        for (int j = 0; j < peak_spokes; ++j) {
+            const double psi = pi * (j + 0.5) / peak_spokes;
+            const double mu = std::clamp(mu_s * std::cos(gamma) + sin_s * std::sin(gamma) * std::cos(psi), -1.0, 1.0);
+            const double sines = std::sqrt(std::max(0.0, 1.0 - mu * mu)) * sin_s;
+            const double cos_phi = sines > 1e-9 ? std::clamp((std::cos(gamma) - mu * mu_s) / sines, -1.0, 1.0) : 1.0;
+            const double weight = rings.weights[i] * 2.0 * s * peak_radius * std::sin(gamma) * 2.0 * pi / peak_spokes;
+            PeakRule::Direction direction{mu, std::cos(gamma), static_cast<float>(weight), legendre_values(layout, mu)};
+            const double phi = std::acos(cos_phi);
+            for (int k = 0; k <= layout.degree; ++k)
+                for (int l = k; l <= layout.degree; ++l) direction.harmonic[static_cast<std::size_t>(layout.index(l, k))] *= static_cast<float>(std::cos(k * phi));
+            rule.directions.push_back(std::move(direction));
+        }
+    }
+    return rule;
+}
+
+f32::PhaseSpectrum narrowed(const f64::PhaseSpectrum& from) {
+    f32::PhaseSpectrum to;
+    for (int i = 0; i < pack_size; ++i) to.v[i] = static_cast<float>(from.v[i]);
+    return to;
+}
+
+using Coefficients = std::vector<RadianceSpectrum>;  // [layout.count()]
+
+class Baker {
+public:
+    Baker(const AirOptics& optics, const BakeSettings& settings)
+        : optics_(optics), air_(pack_air(optics)), sizes_(settings.sizes), transmittance_(transmittance_table(air_, sizes_)) {
+        for (const AirOptics::Part& part : optics.parts) moments_.push_back(part.phase.legendre_moments(layout.degree + 1));
+        for (int i = 0; i < sizes_.altitude; ++i) {
+            const double h = altitude(i);
+            views_.push_back(view_rule(f64::horizon_cosine(f64::Length::of(h), f64::Length::of(air_.shell.bottom_m)).value));
+            scattering_factors_.push_back(factors_at(h));
+        }
+        for (int i = 0; i < sizes_.sun; ++i) peaks_.push_back(peak_rule(sun(i)));
+        for (int i = 0; i < sizes_.view; ++i)
+            texel_legendre_.push_back(legendre_values(layout, f64::view_of_coordinate(static_cast<double>(i) / (sizes_.view - 1)).value));
+    }
+
+    Result<PackTables> bake(const BakeSettings& settings, const Progress& progress, double begin, double share) {
+        PackTables tables;
+        Source source = empty_source(), next = empty_source();
+        Irradiance irradiance = empty_irradiance(), next_irradiance = empty_irradiance();
+        tables.source = empty_source();
+        tables.irradiance = empty_irradiance();
+        for (int order = 1; order <= settings.orders; ++order) {
+            std::atomic<int> done = 0;
+            const int tasks = sizes_.altitude * sizes_.sun;
+            parallel_for(static_cast<std::size_t>(tasks), [&](std::size_t task) {
+                if (progress.stop.stop_requested()) return;
+                scatter(order, static_cast<int>(task) / sizes_.sun, static_cast<int>(task) % sizes_.sun, source, irradiance, next, next_irradiance);
+                const int count = ++done;
+                if (count % 64 == 0) progress.report("scattering", begin + share * (order - 1 + static_cast<double>(count) / tasks) / settings.orders);
+            });
+            if (progress.stop.stop_requested()) return Error{"", "the bake was interrupted", "Run the same command again: what was finished is kept."};
+            const bool last = order == settings.orders;
+            const bool closes = last && settings.extrapolate && order >= 3;
+            if (closes) {
+                add_series(tables.source, source, next);
+                add_series(tables.irradiance, irradiance, next_irradiance);
+            } else {
+                if (!last) add(tables.source, next);  // the source of a scattering beyond the last is not wanted
+                add(tables.irradiance, next_irradiance);
+            }
+            std::swap(source, next);
+            std::swap(irradiance, next_irradiance);
+        }
+        tables.transmittance = std::move(transmittance_);
+        return tables;
+    }
+
+private:
+    using Source = Table<RadianceSpectrum, 4>;
+    using Irradiance = Table<IrradianceSpectrum, 2>;
+
+    Source empty_source() const { return filled<Source>({sizes_.sun, sizes_.azimuth, sizes_.view, sizes_.altitude}); }
+    Irradiance empty_irradiance() const { return filled<Irradiance>({sizes_.sun, sizes_.altitude}); }
+    template <class T>
+    static T filled(const decltype(T().size())& size) {
+        T table(size);
+        for (auto& cell : table.cells()) cell = zero<std::decay_t<decltype(cell)>>();
+        return table;
+    }
+
+    double altitude(int i) const {
+        return f64::altitude_of_coordinate(static_cast<double>(i) / (sizes_.altitude - 1), f64::Length::of(air_.shell.top_m)).value;
+    }
+    double sun(int i) const { return f64::sun_of_coordinate(static_cast<double>(i) / (sizes_.sun - 1)).value; }
+
+    // By which the coefficients of degree l are multiplied when light scatters at an altitude: [degree + 1].
+    std::vector<f32::Spectrum> factors_at(double h) const {
+        float density[max_parts];
+        air_.densities.at(static_cast<float>(h), density);
+        std::vector<f32::Spectrum> factors(layout.degree + 1, zero<f32::Spectrum>());
+        f32::ScatteringSpectrum total = zero<f32::ScatteringSpectrum>();
+        for (std::size_t p = 0; p < optics_.parts.size(); ++p) total += air_.scattering[p] * f32::Number(density[p]);
+        for (std::size_t p = 0; p < optics_.parts.size(); ++p) {
+            for (std::size_t l = 0; l < factors.size(); ++l)
+                for (int w = 0; w < pack_size; ++w)
+                    if (total.v[w] > 0.0f) factors[l].v[w] += air_.scattering[p].v[w] * density[p] / total.v[w] * static_cast<float>(moments_[p][l].v[w]);
+        }
+        for (int w = 0; w < pack_size; ++w)
+            if (!(total.v[w] > 0.0f)) factors[0].v[w] = 1.0f;  // no air here: any phase function will do
+        return factors;
+    }
+
+    // The light of one order around a point, scattered once more.
+    void scatter(int order, int i_h, int i_s, const Source& source, const Irradiance& irradiance, Source& next, Irradiance& next_irradiance) const {
+        Coefficients light(static_cast<std::size_t>(layout.count()), zero<RadianceSpectrum>());
+        IrradianceSpectrum on_level = zero<IrradianceSpectrum>();
+        const Gathered what{.single = order == 1,
+                            .source = order == 1 ? nullptr : &source,
+                            .diffuse_on_ground = order == 1 ? nullptr : &irradiance,
+                            .direct_on_ground = order == 1};
+        add_all_directions(what, i_h, i_s, light, on_level);
+        if (order == 1) add_peak(i_h, i_s, light, on_level);
+        next_irradiance[{i_s, i_h}] = on_level;
+
+        const std::vector<f32::Spectrum>& factors = scattering_factors_[static_cast<std::size_t>(i_h)];
+        for (int k = 0; k <= layout.degree; ++k)
+            for (int l = k; l <= layout.degree; ++l) {
+                RadianceSpectrum& coefficient = light[static_cast<std::size_t>(layout.index(l, k))];
+                coefficient = coefficient * factors[static_cast<std::size_t>(l)];
+            }
+        write_texels(light, i_h, i_s, next);
+    }
+
+    void add_all_directions(const Gathered& what, int i_h, int i_s, Coefficients& light, IrradianceSpectrum& on_level) const {
+        const double h = altitude(i_h);
+        const double mu_s = sun(i_s);
+        const double free_path = air_.free_path_at(static_cast<float>(h));
+        RayNodes nodes;
+        std::array<RadianceSpectrum, layout.degree + 1> by_order;
+        for (const ViewRule::Angle& angle : views_[static_cast<std::size_t>(i_h)].angles) {
+            by_order.fill(zero<RadianceSpectrum>());
+            for (int j = 0; j < azimuths; ++j) {
+                const double phi = pi * (j + 0.5) / azimuths;
+                const double nu = std::clamp(angle.mu * mu_s + std::sqrt((1.0 - angle.mu * angle.mu) * (1.0 - mu_s * mu_s)) * std::cos(phi), -1.0, 1.0);
+                sample_ray(air_.shell, {h, angle.mu, mu_s, nu}, air_.densities, free_path, nodes_per_piece, nodes);
+                const RayLight seen = gather(air_, transmittance_, what, nodes, static_cast<float>(nu));
+                RadianceSpectrum radiance = seen.multiple;
+                if (what.single)
+                    for (std::size_t p = 0; p < optics_.parts.size(); ++p)
+                        if (optics_.parts[p].scatters)
+                            radiance += seen.single[p] * narrowed(optics_.parts[p].phase.at(std::min(nu, std::cos(peak_radius))));
+                const float weight = 2.0f * static_cast<float>(pi) / azimuths;
+                for (int k = 0; k <= layout.degree; ++k) add_scaled(by_order[static_cast<std::size_t>(k)], radiance, weight * static_cast<float>(std::cos(k * phi)));
+            }
+            if (angle.mu > 0.0)
+                for (int w = 0; w < pack_size; ++w) on_level.v[w] += by_order[0].v[w] * angle.weight * static_cast<float>(angle.mu);
+            for (int k = 0; k <= layout.degree; ++k)
+                for (int l = k; l <= layout.degree; ++l) {
+                    const auto c = static_cast<std::size_t>(layout.index(l, k));
+                    add_scaled(light[c], by_order[static_cast<std::size_t>(k)], angle.weight * angle.legendre[c]);
+                }
+        }
+    }
+
+    // Single scattering near the sun, as far as phase functions stand above their value at the disk's edge.
+    void add_peak(int i_h, int i_s, Coefficients& light, IrradianceSpectrum& on_level) const {
+        const double h = altitude(i_h);
+        const double mu_s = sun(i_s);
+        const double free_path = air_.free_path_at(static_cast<float>(h));
+        const Gathered what{.single = true, .source = nullptr, .diffuse_on_ground = nullptr, .direct_on_ground = false};
+        RayNodes nodes;
+        for (const PeakRule::Direction& direction : peaks_[static_cast<std::size_t>(i_s)].directions) {
+            sample_ray(air_.shell, {h, direction.mu, mu_s, direction.nu}, air_.densities, free_path, nodes_per_piece, nodes);
+            const RayLight seen = gather(air_, transmittance_, what, nodes, static_cast<float>(direction.nu));
+            RadianceSpectrum radiance = zero<RadianceSpectrum>();
+            for (std::size_t p = 0; p < optics_.parts.size(); ++p)
+                if (optics_.parts[p].scatters)
+                    radiance += seen.single[p] * narrowed(optics_.parts[p].phase.at(direction.nu) - optics_.parts[p].phase.at(std::cos(peak_radius)));
+            if (direction.mu > 0.0)
+                for (int w = 0; w < pack_size; ++w) on_level.v[w] += radiance.v[w] * direction.weight * static_cast<float>(direction.mu);
+            for (std::size_t c = 0; c < light.size(); ++c) add_scaled(light[c], radiance, direction.weight * direction.harmonic[c]);
+        }
+    }
+
+    void write_texels(const Coefficients& light, int i_h, int i_s, Source& next) const {
+        std::array<RadianceSpectrum, layout.degree + 1> by_order;
+        for (int i = 0; i < sizes_.view; ++i) {
+            const std::vector<float>& legendre = texel_legendre_[static_cast<std::size_t>(i)];
+            for (int k = 0; k <= layout.degree; ++k) {
+                by_order[static_cast<std::size_t>(k)] = zero<RadianceSpectrum>();
+                for (int l = k; l <= layout.degree; ++l) {
+                    const auto c = static_cast<std::size_t>(layout.index(l, k));
+                    add_scaled(by_order[static_cast<std::size_t>(k)], light[c], legendre[c]);
+                }
+            }
+            for (int j = 0; j < sizes_.azimuth; ++j) {
+                const double phi = std::acos(f64::azimuth_cosine_of_coordinate(static_cast<double>(j) / (sizes_.azimuth - 1)).value);
+                RadianceSpectrum sum = zero<RadianceSpectrum>();
+                for (int k = 0; k <= layout.degree; ++k) add_scaled(sum, by_order[static_cast<std::size_t>(k)], static_cast<float>(std::cos(k * phi)));
+                next[{i_s, j, i, i_h}] = max(sum, zero<RadianceSpectrum>());  // a cut series may ring below zero in the dark
+            }
+        }
+    }
+
+    template <class T>
+    static void add(T& sum, const T& x) {
+        for (std::size_t i = 0; i < sum.cells().size(); ++i) sum.cells()[i] += x.cells()[i];
+    }
+
+    // Adds `last` and all that follows it in the geometric series that `previous` and `last` begin. Successive orders approach
+    // such a series, for light forgets where it came from.
+    template <class T>
+    static void add_series(T& sum, const T& previous, const T& last) {
+        for (std::size_t i = 0; i < sum.cells().size(); ++i)
+            for (int w = 0; w < pack_size; ++w) {
+                const float a = previous.cells()[i].v[w];
+                const float b = last.cells()[i].v[w];
+                const float ratio = a > 0.0f ? std::min(b / a, 0.95f) : 0.0f;
+                sum.cells()[i].v[w] += b / (1.0f - ratio);
+            }
+    }
+
+    const AirOptics& optics_;
+    PackAir air_;
+    TableSizes sizes_;
+    Table<f32::Spectrum, 2> transmittance_;
+    std::vector<std::vector<f64::Spectrum>> moments_;          // [part][degree + 1], of its phase function
+    std::vector<ViewRule> views_;                              // [altitude]
+    std::vector<std::vector<f32::Spectrum>> scattering_factors_;  // [altitude][degree + 1]
+    std::vector<PeakRule> peaks_;                              // [sun]
+    std::vector<std::vector<float>> texel_legendre_;           // [view][layout.count()]
+};
+
+}  // namespace
+
+Result<PackTables> bake_pack(const AirOptics& optics, const BakeSettings& settings, const Progress& progress, double begin, double share) {
+    assert(settings.orders >= 1);
+    return Baker(optics, settings).bake(settings, progress, begin, share);
+}
+
+}  // namespace airlight

@@ -1,0 +1,16 @@
+#include "transport/density_table.h"
+
+#include <cassert>
+
+namespace airlight {
+
+DensityTable::DensityTable(std::span<const DensityProfile> profiles, Length top)
+    : parts_(static_cast<int>(profiles.size())), inverse_top_(static_cast<float>(1.0 / top.value)) {
+    assert(profiles.size() >= 1 && profiles.size() <= max_parts);
+    for (int i = 0; i <= steps; ++i) {
+        const double x = static_cast<double>(i) / steps;
+        for (const DensityProfile& profile : profiles) values_.push_back(static_cast<float>(relative_density(profile, x * x * top)));
+    }
+}
+
+}  // namespace airlight

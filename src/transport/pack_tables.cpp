@@ -1,0 +1,163 @@
+#include "transport/pack_tables.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+
+namespace airlight {
+
+namespace {
+
+
+f32::Length metres(double x) { return f32::Length::of(static_cast<float>(x)); }
+
+template <class Spectrum>
+AIRLIGHT_INLINE Spectrum zero() {
+    return Spectrum(Spectrum::Scalar::of(0.0f));
+}
+
+template <class To, class From>
+To narrowed(const From& from) {
+    To to;
+    for (int i = 0; i < pack_size; ++i) to.v[i] = static_cast<float>(from.v[i]);
+    return to;
+}
+
+// The part of a uniform disk that stands above a straight horizon; x is the height of its centre in units of its radius.
+float disk_above(float x) {
+    if (x <= -1.0f) return 0.0f;
+    if (x >= 1.0f) return 1.0f;
+    return 0.5f + (x * std::sqrt(1.0f - x * x) + std::asin(x)) / static_cast<float>(pi);
+}
+
+AIRLIGHT_INLINE f32::Spectrum transmittance_of(const PackAir& air, const float* columns) {
+    f32::Spectrum depth = zero<f32::Spectrum>();
+    for (int p = 0; p < air.parts; ++p) depth += air.extinction[static_cast<std::size_t>(p)] * f32::Length::of(columns[p]);
+    return exp(-depth);
+}
+
+}  // namespace
+
+float PackAir::free_path_at(float altitude_m) const {
+    float density[max_parts];
+    densities.at(altitude_m, density);
+    float most = 0.0f;
+    for (int w = 0; w < pack_size; ++w) {
+        float sum = 0.0f;
+        for (int p = 0; p < parts; ++p) sum += density[p] * extinction[static_cast<std::size_t>(p)].v[w];
+        most = std::max(most, sum);
+    }
+    return 1.0f / std::max(most, 1e-12f);
+}
+
+PackAir pack_air(const AirOptics& optics) {
+    std::vector<DensityProfile> profiles;
+    for (const AirOptics::Part& part : optics.parts) profiles.push_back(part.profile);
+    PackAir air{.shell = {optics.bottom_radius.value, optics.top_altitude.value},
+                .densities = DensityTable(profiles, airlight::Length::of(optics.top_altitude.value)),
+                .parts = static_cast<int>(optics.parts.size()),
+                .scattering = {},
+                .extinction = {},
+                .ground_albedo = narrowed<f32::Spectrum>(optics.ground_albedo),
+                .solar_irradiance = narrowed<f32::IrradianceSpectrum>(optics.solar_irradiance),
+                .sun_angular_radius = static_cast<float>(optics.sun.angular_radius)};
+    for (std::size_t p = 0; p < optics.parts.size(); ++p) {
+        air.scattering[p] = narrowed<f32::ScatteringSpectrum>(optics.parts[p].scattering);
+        air.extinction[p] = narrowed<f32::ScatteringSpectrum>(optics.parts[p].extinction);
+    }
+    return air;
+}
+
+Table<f32::Spectrum, 2> transmittance_table(const PackAir& air, const TableSizes& sizes) {
+    Table<f32::Spectrum, 2> table({sizes.transmittance_mu, sizes.transmittance_altitude});
+    const f64::Length bottom = f64::Length::of(air.shell.bottom_m);
+    const f64::Length top = f64::Length::of(air.shell.top_m);
+    parallel_for(static_cast<std::size_t>(sizes.transmittance_altitude), [&](std::size_t j) {
+        const f64::Length h = f64::altitude_of_coordinate(static_cast<double>(j) / (sizes.transmittance_altitude - 1), top);
+        RayNodes nodes;
+        for (int i = 0; i < sizes.transmittance_mu; ++i) {
+            // A hair above the horizon, so that the last ray does not meet the ground by rounding.
+            const double mu = std::max(f64::transmittance_cosine_of_coordinate(h, static_cast<double>(i) / (sizes.transmittance_mu - 1), bottom, top).value,
+                                       f64::horizon_cosine(h, bottom).value + 1e-12);
+            sample_ray(air.shell, {h.value, mu, 1.0, mu}, air.densities, 1e30, RayNodes::max_per_piece, nodes);
+            table[{i, static_cast<int>(j)}] = transmittance_of(air, nodes.total_column_m);
+        }
+    });
+    return table;
+}
+
+f32::Spectrum sun_transmittance(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, float altitude_m, float mu_s) {
+    const f32::Length bottom = metres(air.shell.bottom_m);
+    const f32::Length top = metres(air.shell.top_m);
+    const f32::Length h = f32::Length::of(altitude_m);
+    const float horizon = f32::horizon_cosine(h, bottom).value;
+    const float sine = std::sqrt(std::max(1.0f - horizon * horizon, 1e-6f));
+    const float above = (mu_s - horizon) / sine;  // the height of the sun's centre above the horizon, in radians
+    const float part = air.sun_angular_radius > 0.0f ? disk_above(above / air.sun_angular_radius) : (above >= 0.0f ? 1.0f : 0.0f);
+    if (part == 0.0f) return zero<f32::Spectrum>();
+    const f32::Number x = f32::transmittance_cosine_coordinate(h, f32::Number(std::max(mu_s, horizon)), bottom, top);
+    const f32::Number y = f32::altitude_coordinate(h, top);
+    return transmittance.look_up({f32::texture_coordinate(x, transmittance.size()[0]).value, f32::texture_coordinate(y, transmittance.size()[1]).value}) *
+           f32::Number(part);
+}
+
+namespace {
+
+AIRLIGHT_INLINE f32::RadianceSpectrum source_at(const PackAir& air, const Table<f32::RadianceSpectrum, 4>& source, const RayNodes& nodes, int n, float nu) {
+    const f32::Number mu = nodes.mu[n];
+    const f32::Number mu_s = nodes.mu_s[n];
+    const auto& size = source.size();
+    return source.look_up({f32::texture_coordinate(f32::sun_coordinate(mu_s), size[0]).value,
+                           f32::texture_coordinate(f32::azimuth_coordinate(f32::relative_azimuth_cosine(mu, mu_s, nu)), size[1]).value,
+                           f32::texture_coordinate(f32::view_coordinate(mu), size[2]).value,
+                           f32::texture_coordinate(f32::altitude_coordinate(f32::Length::of(nodes.altitude_m[n]), metres(air.shell.top_m)), size[3]).value});
+}
+
+// Light that the ground sends up where the ray ends, per unit of albedo / pi.
+f32::IrradianceSpectrum light_on_ground(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, const Gathered& what, float mu_s) {
+    f32::IrradianceSpectrum sum = zero<f32::IrradianceSpectrum>();
+    if (what.direct_on_ground) {
+        // Near the horizon the disk's visible part faces the ground at half its height.
+        const float radius = air.sun_angular_radius;
+        const float facing = mu_s >= radius ? mu_s : std::max(0.0f, 0.5f * (mu_s + radius));
+        if (facing > 0.0f) sum += air.solar_irradiance * sun_transmittance(air, transmittance, 0.0f, mu_s) * f32::Number(facing);
+    }
+    if (what.diffuse_on_ground) {
+        const auto& size = what.diffuse_on_ground->size();
+        sum += what.diffuse_on_ground->look_up({f32::texture_coordinate(f32::sun_coordinate(mu_s), size[0]).value, f32::texture_coordinate(0.0, size[1]).value});
+    }
+    return sum;
+}
+
+}  // namespace
+
+RayLight gather(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, const Gathered& what, const RayNodes& nodes, float nu) {
+    RayLight light;
+    light.multiple = zero<f32::RadianceSpectrum>();
+    for (int p = 0; p < air.parts; ++p) light.single[static_cast<std::size_t>(p)] = zero<f32::IrradianceSpectrum>();
+    for (int n = 0; n < nodes.count; ++n) {
+        const f32::Spectrum seen = transmittance_of(air, nodes.column_m[n]);
+        const float* density = nodes.density[n];
+        const f32::Length step = f32::Length::of(nodes.length_m[n]);
+        if (what.single) {
+            const f32::Spectrum lit = sun_transmittance(air, transmittance, nodes.altitude_m[n], nodes.mu_s[n]);
+            const f32::LengthSpectrum weight = seen * lit * step;
+            for (int p = 0; p < air.parts; ++p) {
+                const auto i = static_cast<std::size_t>(p);
+                light.single[i] += weight * air.scattering[i] * air.solar_irradiance * f32::Number(density[p]);
+            }
+        }
+        if (what.source) {
+            f32::ScatteringSpectrum scattering = zero<f32::ScatteringSpectrum>();
+            for (int p = 0; p < air.parts; ++p) scattering += air.scattering[static_cast<std::size_t>(p)] * f32::Number(density[p]);
+            light.multiple += source_at(air, *what.source, nodes, n, nu) * scattering * (seen * step);
+        }
+    }
+    light.transmittance = transmittance_of(air, nodes.total_column_m);
+    if (nodes.meets_ground && (what.direct_on_ground || what.diffuse_on_ground))
+        light.multiple += light_on_ground(air, transmittance, what, nodes.end_mu_s) * air.ground_albedo * light.transmittance * (1.0 / f32::pi * f32::per_sr);
+    return light;
+}
+
+}  // namespace airlight

@@ -1,0 +1,50 @@
+// Where a ray through the air is sampled: nodes of Gauss's rules on its pieces, and the columns of air up to each node.
+// Theory: docs/theory.md, section 5.2. Uses the density table; knows nothing of wavelengths or of light.
+#pragma once
+
+#include "physics/f64.h"
+#include "transport/density_table.h"
+
+namespace airlight {
+
+// The spherical shell that rays go through.
+struct Shell {
+    double bottom_m;  // radius of the ground
+    double top_m;     // altitude of the top
+};
+
+// A ray from a point within the air, in the coordinates of docs/conventions.md.
+struct Ray {
+    double altitude_m;  // 0 to the top
+    double mu;          // cosine of its zenith angle
+    double mu_s;        // cosine of the sun's zenith angle
+    double nu;          // cosine of the angle between them
+};
+
+// A ray is cut at its perigee, where it enters or leaves the planet's shadow, and after one and a few mean free paths;
+// within a piece the nodes crowd, in altitude, quadratically towards its lower end. So neither the thin haze at the ground
+// nor the first kilometres of a horizontal ray is stepped over, which steps of equal length do.
+struct RayNodes {
+    static constexpr int max_per_piece = 24;
+    static constexpr int max_pieces = 6;
+    static constexpr int capacity = max_per_piece * max_pieces;
+
+    int count = 0;
+    bool meets_ground = false;
+    float end_mu_s = 0.0f;                 // cosine of the sun's zenith angle where the ray ends
+    float altitude_m[capacity];
+    float mu[capacity];                    // of the ray itself
+    float mu_s[capacity];
+    float length_m[capacity];              // the quadrature weight
+    float density[capacity][max_parts];
+    float column_m[capacity][max_parts];   // integral of the density from the start to the node
+    float total_column_m[max_parts];       // to the end
+};
+
+// `nodes_per_piece`: 2 to RayNodes::max_per_piece. `free_path_m`: the shortest mean free path at the start, which places the cuts.
+void sample_ray(const Shell& shell, const Ray& ray, const DensityTable& densities, double free_path_m, int nodes_per_piece, RayNodes& nodes);
+
+// Moves a ray whose start lies above the air to where it enters; false if it misses the air. Exact to a few parts in 1e16 of the distance.
+bool enter_air(const Shell& shell, Ray& ray);
+
+}  // namespace airlight

@@ -1,0 +1,78 @@
+// Tables of spectra, read with linear interpolation exactly as a GPU reads its textures.
+// Coordinates are texture coordinates: texel i of n lies at (i + 1/2) / n, and beyond the outermost centres the value stays.
+// Uses physics (f32); knows nothing of what is in the table.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <span>
+#include <vector>
+
+#include "physics/f32.h"
+
+namespace airlight {
+
+// Where between two neighbouring texels a coordinate lies.
+struct Texels {
+    int low;
+    int high;
+    float weight;  // of `high`
+};
+
+AIRLIGHT_INLINE Texels texels_at(float coordinate, int size) {
+    const float x = coordinate * static_cast<float>(size) - 0.5f;
+    const float clamped = x < 0.0f ? 0.0f : (x > static_cast<float>(size - 1) ? static_cast<float>(size - 1) : x);
+    const int low = static_cast<int>(clamped);
+    return {low, low + 1 < size ? low + 1 : low, clamped - static_cast<float>(low)};
+}
+
+// Cells of D dimensions, the first one running fastest.
+template <class Cell, int D>
+class Table {
+public:
+    Table() = default;
+    explicit Table(std::array<int, D> size) : size_(size) {
+        std::size_t count = 1;
+        for (const int n : size) count *= static_cast<std::size_t>(n);
+        cells_.resize(count);
+    }
+
+    const std::array<int, D>& size() const { return size_; }
+    std::span<Cell> cells() { return cells_; }
+    std::span<const Cell> cells() const { return cells_; }
+
+    AIRLIGHT_INLINE std::size_t index(std::array<int, D> i) const {
+        std::size_t k = static_cast<std::size_t>(i[D - 1]);
+        for (int d = D - 2; d >= 0; --d) k = k * static_cast<std::size_t>(size_[static_cast<std::size_t>(d)]) + static_cast<std::size_t>(i[static_cast<std::size_t>(d)]);
+        return k;
+    }
+    Cell& operator[](std::array<int, D> i) { return cells_[index(i)]; }
+    const Cell& operator[](std::array<int, D> i) const { return cells_[index(i)]; }
+
+    // The multilinear interpolation at texture coordinates: a sum over 2^D cells.
+    AIRLIGHT_INLINE Cell look_up(std::array<float, D> coordinates) const {
+        std::array<Texels, D> at;
+        for (std::size_t d = 0; d < D; ++d) at[d] = texels_at(coordinates[d], size_[d]);
+        Cell sum(typename Cell::Scalar(Cell::Scalar::of(0.0f)));
+        for (unsigned corner = 0; corner < (1u << D); ++corner) {
+            float weight = 1.0f;
+            std::array<int, D> i;
+            for (std::size_t d = 0; d < D; ++d) {
+                const bool high = (corner >> d) & 1u;
+                weight *= high ? at[d].weight : 1.0f - at[d].weight;
+                i[d] = high ? at[d].high : at[d].low;
+            }
+            const Cell& cell = cells_[index(i)];
+            for (int w = 0; w < Cell::size; ++w) sum.v[w] += weight * cell.v[w];
+        }
+        return sum;
+    }
+
+private:
+    std::array<int, D> size_{};
+    std::vector<Cell> cells_;
+};
+
+}  // namespace airlight
