@@ -82,8 +82,8 @@ std::vector<PointLaw> shell_laws() {
 std::vector<PointLaw> density_laws() {
     const std::vector<double> scale_heights = {100.0, 1200.0, 8000.0, 11e3, 1000e3};
     return {
-        // quotient 1 (counted against h), exp 2
-        POINT_LAW(exponential_density, combinations({altitudes(), scale_heights}), 3, 3),
+        // quotient 1 (counted against h), exp 2; GLSL's exp(x) is exp2 of a rounded product: a rounding for each unit of x, up to 87
+        POINT_LAW(exponential_density, combinations({altitudes(), scale_heights}), 3, 90),
         POINT_LAW(layer_density, combinations({altitudes(), {0.0, 1e3, 10e3}, {20e3, 25e3, 100e3}}), 1, 0),
         // differences 1 and 1, quotient 3
         POINT_LAW(triangle_density, combinations({altitudes(), {0.0, 10e3, 10.1e3}, {24e3, 25e3}, {40e3, 41.7e3}}), 3, 0),
@@ -102,6 +102,12 @@ std::vector<PointLaw> phase_laws() {
         POINT_LAW(henyey_greenstein_phase, combinations({peaks(), cosines()}), 15, 0),
         // dividend 8, divisor 15, quotient 24
         POINT_LAW(cornette_shanks_phase, combinations({peaks(), cosines()}), 24, 0),
+        // q 2 and squared 5, divisor 8, dividend 4, quotient 13
+        POINT_LAW(schlick_phase, combinations({peaks(), cosines()}), 13, 0),
+        // terms 1 and 3, difference 4; Mesa regroups the product of three equal factors
+        POINT_LAW(schlick_parameter, combinations({peaks()}), 4, 1),
+        // constant 2, nu nu and sum 2, products 6
+        POINT_LAW(softened_rayleigh_phase, combinations({cosines()}), 6, 0),
     };
 }
 

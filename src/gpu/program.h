@@ -1,0 +1,42 @@
+// A linked shader program.
+// Uses core; knows no physics.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+#include "gpu/handle.h"
+
+namespace airlight::gpu {
+
+struct DeleteProgram {
+    void operator()(unsigned name) const;
+};
+
+// One stage: GL_COMPUTE_SHADER, GL_VERTEX_SHADER or GL_FRAGMENT_SHADER, and its whole text.
+struct Stage {
+    unsigned type;
+    std::string_view text;
+};
+
+class Program {
+public:
+    // Compiles and links. Fails with the driver's own messages, named by `name` ("sky.frag").
+    static Result<Program> link(std::string_view name, std::span<const Stage> stages);
+    static Result<Program> compute(std::string_view name, std::string_view text);
+
+    void use() const;
+
+    // Runs a compute program on this many work groups, and makes what it wrote visible to what follows.
+    void dispatch(unsigned x, unsigned y = 1, unsigned z = 1) const;
+
+    unsigned name() const { return handle_.name(); }
+
+private:
+    explicit Program(unsigned name) : handle_(name) {}
+    Handle<DeleteProgram> handle_;
+};
+
+}  // namespace airlight::gpu
