@@ -15,6 +15,10 @@ std::string duration_text(double seconds) {
     return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
 }
 
+Progress part_of(const Progress& whole, double begin, double share) {
+    return {[=](std::string_view step, double fraction) { whole.report(step, begin + share * fraction); }, whole.stop};
+}
+
 ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 ProgressLine::~ProgressLine() {

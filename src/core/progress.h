@@ -17,6 +17,9 @@ struct Progress {
     std::stop_token stop = {};
 };
 
+// The progress of one part of a longer job: the part's 0 to 1 is the job's `begin` to `begin + share`.
+Progress part_of(const Progress& whole, double begin, double share);
+
 // Draws one line on a terminal: the step, a fraction, and the time left; on a file or a pipe, a line each ten seconds.
 class ProgressLine {
 public:

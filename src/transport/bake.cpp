@@ -127,36 +127,35 @@ public:
             texel_legendre_.push_back(legendre_values(layout, f64::view_of_coordinate(static_cast<double>(i) / (sizes_.view - 1)).value));
     }
 
-    Result<PackTables> bake(const BakeSettings& settings, const Progress& progress, double begin, double share) {
-        PackTables tables;
-        Source source = empty_source(), next = empty_source();
-        Irradiance irradiance = empty_irradiance(), next_irradiance = empty_irradiance();
-        tables.source = empty_source();
-        tables.irradiance = empty_irradiance();
-        for (int order = 1; order <= settings.orders; ++order) {
+    Result<PackTables> bake(const BakeSettings& settings, const Progress& progress, BakeSteps steps) {
+        BakeState state = steps.from.orders_done > 0 ? std::move(steps.from) : empty_state();
+        Source next = empty_source();
+        Irradiance next_irradiance = empty_irradiance();
+        for (int order = state.orders_done + 1; order <= settings.orders; ++order) {
             std::atomic<int> done = 0;
             const int tasks = sizes_.altitude * sizes_.sun;
             parallel_for(static_cast<std::size_t>(tasks), [&](std::size_t task) {
                 if (progress.stop.stop_requested()) return;
-                scatter(order, static_cast<int>(task) / sizes_.sun, static_cast<int>(task) % sizes_.sun, source, irradiance, next, next_irradiance);
+                scatter(order, static_cast<int>(task) / sizes_.sun, static_cast<int>(task) % sizes_.sun, state.source, state.irradiance, next, next_irradiance);
                 const int count = ++done;
-                if (count % 64 == 0) progress.report("scattering", begin + share * (order - 1 + static_cast<double>(count) / tasks) / settings.orders);
+                if (count % 64 == 0) progress.report("scattering", (order - 1 + static_cast<double>(count) / tasks) / settings.orders);
             });
             if (progress.stop.stop_requested()) return Error{"", "the bake was interrupted", "Run the same command again: what was finished is kept."};
             const bool last = order == settings.orders;
             const bool closes = last && settings.extrapolate && order >= 3;
             if (closes) {
-                add_series(tables.source, source, next);
-                add_series(tables.irradiance, irradiance, next_irradiance);
+                add_series(state.source_sum, state.source, next);
+                add_series(state.irradiance_sum, state.irradiance, next_irradiance);
             } else {
-                if (!last) add(tables.source, next);  // the source of a scattering beyond the last is not wanted
-                add(tables.irradiance, next_irradiance);
+                if (!last) add(state.source_sum, next);  // the source of a scattering beyond the last is not wanted
+                add(state.irradiance_sum, next_irradiance);
             }
-            std::swap(source, next);
-            std::swap(irradiance, next_irradiance);
+            std::swap(state.source, next);
+            std::swap(state.irradiance, next_irradiance);
+            state.orders_done = order;
+            if (!last) steps.order_done(state);
         }
-        tables.transmittance = std::move(transmittance_);
-        return tables;
+        return PackTables{std::move(transmittance_), std::move(state.source_sum), std::move(state.irradiance_sum)};
     }
 
 private:
@@ -165,6 +164,7 @@ private:
 
     Source empty_source() const { return filled<Source>({sizes_.sun, sizes_.azimuth, sizes_.view, sizes_.altitude}); }
     Irradiance empty_irradiance() const { return filled<Irradiance>({sizes_.sun, sizes_.altitude}); }
+    BakeState empty_state() const { return {0, empty_source(), empty_irradiance(), empty_source(), empty_irradiance()}; }
     template <class T>
     static T filled(const decltype(T().size())& size) {
         T table(size);
@@ -317,9 +317,9 @@ private:
 
 }  // namespace
 
-Result<PackTables> bake_pack(const AirOptics& optics, const BakeSettings& settings, const Progress& progress, double begin, double share) {
-    assert(settings.orders >= 1);
-    return Baker(optics, settings).bake(settings, progress, begin, share);
+Result<PackTables> bake_pack(const AirOptics& optics, const BakeSettings& settings, const Progress& progress, BakeSteps steps) {
+    assert(settings.orders >= 1 && steps.from.orders_done < settings.orders);
+    return Baker(optics, settings).bake(settings, progress, std::move(steps));
 }
 
 }  // namespace airlight

@@ -2,6 +2,8 @@
 // Theory: docs/theory.md, section 5. Uses pack tables and harmonics.
 #pragma once
 
+#include <functional>
+
 #include "core/progress.h"
 #include "core/result.h"
 #include "transport/pack_tables.h"
@@ -17,7 +19,22 @@ struct BakeSettings {
     friend bool operator==(const BakeSettings&, const BakeSettings&) = default;
 };
 
-// Fails only if `progress` asks to stop. `begin` and `share` place this pack in a longer job's progress, 0 to 1.
-Result<PackTables> bake_pack(const AirOptics& optics, const BakeSettings& settings, const Progress& progress, double begin = 0.0, double share = 1.0);
+// A bake between two orders: all that the orders still to come need.
+struct BakeState {
+    int orders_done = 0;                               // with 0, the tables below may be empty
+    Table<f32::RadianceSpectrum, 4> source;            // of the last order done, as in PackTables
+    Table<f32::IrradianceSpectrum, 2> irradiance;      // of the last order done
+    Table<f32::RadianceSpectrum, 4> source_sum;        // of all orders done
+    Table<f32::IrradianceSpectrum, 2> irradiance_sum;  // of all orders done
+};
+
+// Where a bake begins, and who is told of each finished order but the last: the state is good until the call returns.
+struct BakeSteps {
+    BakeState from = {};  // of a bake of the same optics and settings
+    std::function<void(const BakeState&)> order_done = [](const BakeState&) {};
+};
+
+// Fails only if `progress` asks to stop. A bake that goes on from a state ends in the same bits as one without a stop.
+Result<PackTables> bake_pack(const AirOptics& optics, const BakeSettings& settings, const Progress& progress, BakeSteps steps = {});
 
 }  // namespace airlight

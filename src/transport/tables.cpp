@@ -21,7 +21,7 @@ Result<Tables> bake_tables(const Atmosphere& atmosphere, std::vector<Wavelength>
     std::vector<PackTables> baked;
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const double share = 1.0 / static_cast<double>(groups.size());
-        Result<PackTables> pack = bake_pack(air_optics(atmosphere, groups[i]), settings, progress, static_cast<double>(i) * share, share);
+        Result<PackTables> pack = bake_pack(air_optics(atmosphere, groups[i]), settings, part_of(progress, static_cast<double>(i) * share, share));
         if (!pack) return pack.error();
         baked.push_back(std::move(*pack));
     }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstring>
 
 #include "core/quadrature.h"
 #include "transport/bake.h"
@@ -148,4 +149,31 @@ TEST_CASE("an interrupted bake says so") {
     const Result<PackTables> tables = bake_pack(air_optics(small_earth(1e-5), wavelength), small_bake(2), progress);
     REQUIRE(!tables);
     CHECK(tables.error().message().find("interrupted") != std::string::npos);
+}
+
+TEST_CASE("a bake that is stopped after its second order and goes on from there ends in the same bits") {
+    const Wavelength wavelengths[] = {450.0 * nm, 650.0 * nm};
+    const AirOptics optics = air_optics(small_earth(3e-5), wavelengths);
+    const BakeSettings settings = small_bake(4);
+    const PackTables whole = *bake_pack(optics, settings, {});
+
+    std::stop_source stop;
+    Progress progress;
+    progress.stop = stop.get_token();
+    BakeState kept;
+    BakeSteps steps;
+    steps.order_done = [&](const BakeState& state) {
+        kept = state;
+        if (state.orders_done == 2) stop.request_stop();
+    };
+    REQUIRE(!bake_pack(optics, settings, progress, steps));
+    REQUIRE(kept.orders_done == 2);
+    int orders_told = 0;
+    const PackTables resumed = *bake_pack(optics, settings, {}, {std::move(kept), [&](const BakeState&) { ++orders_told; }});
+    CHECK(orders_told == 1);  // the third; the fourth is the last, and its result is returned
+
+    const auto same_bits = [](auto a, auto b) { return std::memcmp(a.data(), b.data(), a.size_bytes()) == 0; };
+    CHECK(same_bits(whole.transmittance.cells(), resumed.transmittance.cells()));
+    CHECK(same_bits(whole.source.cells(), resumed.source.cells()));
+    CHECK(same_bits(whole.irradiance.cells(), resumed.irradiance.cells()));
 }
