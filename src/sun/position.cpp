@@ -161,10 +161,10 @@ double refracted_zenith(double zenith, const RefractionAir& air) {
     constexpr double lowest = -1.0;  // degrees; the formula was made for the sky above the horizon
     const double altitude = 90.0 - zenith / deg;
     const double h = std::max(altitude, lowest);
-    double arcmin = 1.02 / std::tan((h + 10.3 / (h + 5.11)) * deg);
+    double arcmin = std::max(1.02 / std::tan((h + 10.3 / (h + 5.11)) * deg), 0.0);  // -0.002 in the zenith as printed
     if (altitude < lowest) arcmin *= std::tan(lowest * deg) / std::tan(altitude * deg);
     arcmin *= air.pressure_hpa / 1010.0 * 283.0 / (273.0 + air.temperature_c);
-    return std::max(zenith - arcmin / 60.0 * deg, 0.0);
+    return zenith - arcmin / 60.0 * deg;
 }
 
 double equation_of_time_s(const Utc& moment, double ut1_minus_utc_s) {

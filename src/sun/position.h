@@ -60,13 +60,13 @@ struct MoonPosition {
     double illuminated_fraction;    // of the disk, [0, 1]
 };
 
-// Geometry good to 0.0005 deg for the sun and 0.004 deg for the moon [Moon98 series] in 1972-2035, if UT1 - UTC is given;
+// Geometry good to 0.0005 deg for the sun and 0.004 deg for the moon (ERFA's series after [Meeus1998]) in 1972-2035, if UT1 - UTC is given;
 // without it (0) and outside these years the Earth's rotation is uncertain by up to 0.004 deg for each second of UT1.
 SunPosition sun_position(const Place& place, const Utc& moment, const SkyOptions& options = {});
 MoonPosition moon_position(const Place& place, const Utc& moment, const SkyOptions& options = {});
 
-// The apparent zenith angle of what stands at `zenith` without air, by Saemundsson's formula [Saemundsson1986], which
-// is within 0.07 arcmin of standard refraction from the zenith to the horizon; below -1 deg of altitude it fades out.
+// The apparent zenith angle of what stands at `zenith` without air, by Saemundsson's formula [Saemundsson1986]: within
+// 0.17 arcmin of standard refraction from the zenith to the horizon; from 1 deg below it on it fades out.
 double refracted_zenith(double zenith, const RefractionAir& air);
 
 // Apparent minus mean solar time, in seconds, -860 to 990 in this age.

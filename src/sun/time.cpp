@@ -181,6 +181,8 @@ double seconds_between(const Utc& a, const Utc& b) {
     return 86400.0 * (last - first) + (leap_seconds(last) - leap_seconds(first)) + (second_of_day(b) - second_of_day(a));
 }
 
+double day_length_s(const Utc& t) { return day_length(day_number(t)); }
+
 int day_of_year(const Utc& t) { return day_number(t) - day_number({t.year, 1, 1, 0, 0, 0.0}) + 1; }
 
 }  // namespace airlight

@@ -40,6 +40,9 @@ Result<Utc> after(const Utc& moment, double seconds);
 // Seconds of UTC from `a` to `b`, leap seconds counted.
 double seconds_between(const Utc& a, const Utc& b);
 
+// Seconds in the day that holds the moment: 86 400, or 86 401 if it ends in a leap second.
+double day_length_s(const Utc& moment);
+
 // The day of the year, 1 to 366.
 int day_of_year(const Utc& moment);
 
