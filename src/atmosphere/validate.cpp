@@ -99,7 +99,13 @@ Broken table_rule(const TabulatedPhase& table) {
     return {};
 }
 
-Broken rule_of(const PhaseFunction& phase) {
+}  // namespace
+
+std::optional<BrokenRule> broken_rule(const DensityProfile& profile) {
+    return std::visit([](const auto& p) { return rule_of(p); }, profile);
+}
+
+std::optional<BrokenRule> broken_rule(const PhaseFunction& phase) {
     return std::visit(Overloaded{
                           [](const IsotropicPhase&) { return Broken{}; },
                           [](const RayleighPhase& p) {
@@ -113,16 +119,18 @@ Broken rule_of(const PhaseFunction& phase) {
                       phase);
 }
 
+namespace {
+
 Broken within(const std::string& outer, Broken broken) {
     if (broken) broken->key = outer + '.' + broken->key;
     return broken;
 }
 
 Broken rule_of(const Constituent& c) {
-    return first_of([&] { return within("profile", std::visit([](const auto& p) { return rule_of(p); }, c.profile)); },
+    return first_of([&] { return within("profile", broken_rule(c.profile)); },
                     [&] { return not_negative("scattering", c.scattering); },
                     [&] { return not_negative("absorption", c.absorption); },
-                    [&] { return within("phase", rule_of(c.phase)); });
+                    [&] { return within("phase", broken_rule(c.phase)); });
 }
 
 Broken rule_of(const std::vector<Constituent>& constituents) {

@@ -27,6 +27,10 @@ struct BrokenRule {
 
 std::optional<BrokenRule> broken_rule(const Atmosphere& atmosphere);
 
+// The same for a part alone, by its own keys: "scale_height", "g".
+std::optional<BrokenRule> broken_rule(const DensityProfile& profile);
+std::optional<BrokenRule> broken_rule(const PhaseFunction& phase);
+
 // The same atmosphere, or the first rule that it breaks.
 Result<Atmosphere> validated(Atmosphere atmosphere);
 

@@ -1,0 +1,122 @@
+#include "atmosphere/aerosol.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "units/text.h"
+
+namespace airlight {
+
+namespace {
+
+template <class... F>
+struct Overloaded : F... {
+    using F::operator()...;
+};
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;
+
+constexpr Wavelength reference_wavelength = 550.0 * nm;
+const double koschmieder = std::log(50.0);  // -ln of the contrast 0.02 that is just seen: 3.912
+
+std::vector<Wavelength> wavelengths_of(const SpectrumOf<Number>& a, const SpectrumOf<Number>& b) {
+    std::vector<Wavelength> all;
+    for (const auto* curve : {&a, &b})
+        if (!curve->is_constant())
+            for (const auto& sample : curve->samples()) all.push_back(sample.x);
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
+// Constituent whose extinction at 550 nm, where the profile is 1, is `reference`.
+Constituent with_extinction(const AerosolMatter& matter, const DensityProfile& profile, InverseLength reference) {
+    Constituent aerosol{"aerosol", profile};
+    aerosol.phase = matter.phase;
+    const auto part = [&](Wavelength w, bool scattered) {
+        const Number albedo = matter.single_scattering_albedo.at(w);
+        return reference * matter.extinction.at(w) * (scattered ? albedo : Number(1.0) - albedo);
+    };
+    const std::vector<Wavelength> wavelengths = wavelengths_of(matter.extinction, matter.single_scattering_albedo);
+    if (wavelengths.empty()) {
+        aerosol.scattering = SpectrumOf<InverseLength>::constant(part(reference_wavelength, true));
+        aerosol.absorption = SpectrumOf<InverseLength>::constant(part(reference_wavelength, false));
+        return aerosol;
+    }
+    std::vector<SpectrumOf<InverseLength>::Sample> scattering, absorption;
+    for (const Wavelength w : wavelengths) {
+        scattering.push_back({w, part(w, true)});
+        absorption.push_back({w, part(w, false)});
+    }
+    aerosol.scattering = *SpectrumOf<InverseLength>::of(std::move(scattering));
+    aerosol.absorption = *SpectrumOf<InverseLength>::of(std::move(absorption));
+    return aerosol;
+}
+
+Error out_of_range(std::string value, std::string rule, std::string remedy = {}) {
+    return Error{"", fmt::format("{} is out of range: {}", value, rule), std::move(remedy)};
+}
+
+// Extinction at 550 nm that the amount asks for at the ground, from what the eye sees of it.
+Result<InverseLength> ground_extinction(const Visibility& v, const MolecularAir& molecules) {
+    if (!(v.distance.value > 0.0)) return out_of_range("a visibility of " + length_text(v.distance), "it must be above 0 m");
+    const InverseLength rest = koschmieder / v.distance - molecules.scattering_at_ground;
+    if (rest.value >= 0.0) return rest;
+    return out_of_range("a visibility of " + length_text(v.distance),
+                        fmt::format("in air without any aerosol one sees {:.0f} km", (koschmieder / molecules.scattering_at_ground).in(km)),
+                        "Give less, or leave the aerosol out.");
+}
+
+Result<double> depth_550(const OpticalDepth550& d) {
+    if (d.value >= 0.0) return d.value;
+    return out_of_range(fmt::format("an optical depth of {}", d.value), "it must be 0 or more");
+}
+Result<double> depth_550(const Turbidity& t, const MolecularAir& molecules) {
+    if (t.value >= 1.0) return (t.value - 1.0) * molecules.optical_depth;
+    return out_of_range(fmt::format("a turbidity of {}", t.value), "it must be 1 or more", "1 is air without any aerosol, 2 clear, 6 hazy, 10 thick haze.");
+}
+
+}  // namespace
+
+SpectrumOf<Number> angstrom_extinction(double alpha) {
+    std::vector<SpectrumOf<Number>::Sample> samples;
+    for (int w = 300; w <= 1000; w += 10) samples.push_back({w * nm, std::pow(w / 550.0, -alpha)});
+    return *SpectrumOf<Number>::of(std::move(samples));
+}
+
+Result<Constituent> aerosol_constituent(const AerosolMatter& matter, const DensityProfile& profile, const AerosolAmount& amount,
+                                        const MolecularAir& molecules, Length top) {
+    const Length depth = column_depth(profile, top);
+    const double at_ground = relative_density(profile, 0.0 * m);
+    if (!(depth.value > 0.0)) return out_of_range("the profile", "it must hold some aerosol below the top of the atmosphere");
+    const auto of_depth = [&](const AerosolMatter& made, const Result<double>& optical_depth) -> Result<Constituent> {
+        if (!optical_depth) return optical_depth.error();
+        return with_extinction(made, profile, *optical_depth / depth);
+    };
+    return std::visit(Overloaded{
+                          [&](const OpticalDepth550& d) { return of_depth(matter, depth_550(d)); },
+                          [&](const Turbidity& t) { return of_depth(matter, depth_550(t, molecules)); },
+                          [&](const Visibility& v) -> Result<Constituent> {
+                              if (!(at_ground > 0.0)) return out_of_range("the profile", "to set a visibility it must hold some aerosol at the ground");
+                              const Result<InverseLength> extinction = ground_extinction(v, molecules);
+                              if (!extinction) return extinction.error();
+                              return with_extinction(matter, profile, *extinction / at_ground);
+                          },
+                          [&](const AngstromAmount& a) -> Result<Constituent> {
+                              if (!(a.beta >= 0.0)) return out_of_range(fmt::format("a beta of {}", a.beta), "it must be 0 or more");
+                              if (!(std::abs(a.alpha) <= 10.0)) return out_of_range(fmt::format("an alpha of {}", a.alpha), "it must be from -10 to 10", "Haze is near 1.3, desert dust near 0.2.");
+                              AerosolMatter made = matter;
+                              made.extinction = angstrom_extinction(a.alpha);
+                              return with_extinction(made, profile, a.beta * std::pow(0.55, -a.alpha) / depth);
+                          },
+                          [&](const GroundExtinction550& e) -> Result<Constituent> {
+                              if (e.value.value >= 0.0) return with_extinction(matter, profile, e.value);
+                              return out_of_range("an extinction of " + inverse_length_text(e.value), "it must be 0 or more");
+                          },
+                      },
+                      amount);
+}
+
+}  // namespace airlight
