@@ -31,13 +31,13 @@ float disk_above(float x) {
     return 0.5f + (x * std::sqrt(1.0f - x * x) + std::asin(x)) / static_cast<float>(pi);
 }
 
-AIRLIGHT_INLINE f32::Spectrum transmittance_of(const PackAir& air, const float* columns) {
+}  // namespace
+
+f32::Spectrum transmittance_of(const PackAir& air, const float* columns_m) {
     f32::Spectrum depth = zero<f32::Spectrum>();
-    for (int p = 0; p < air.parts; ++p) depth += air.extinction[static_cast<std::size_t>(p)] * f32::Length::of(columns[p]);
+    for (int p = 0; p < air.parts; ++p) depth += air.extinction[static_cast<std::size_t>(p)] * f32::Length::of(columns_m[p]);
     return exp(-depth);
 }
-
-}  // namespace
 
 float PackAir::free_path_at(float altitude_m) const {
     float density[max_parts];
@@ -102,6 +102,14 @@ f32::Spectrum sun_transmittance(const PackAir& air, const Table<f32::Spectrum, 2
            f32::Number(part);
 }
 
+f32::IrradianceSpectrum direct_irradiance(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, float altitude_m, float mu_s) {
+    // Near the horizon, the part of the disk that is above the plane faces it at about half its height.
+    const float radius = air.sun_angular_radius;
+    const float facing = mu_s >= radius ? mu_s : std::max(0.0f, 0.5f * (mu_s + radius));
+    if (facing == 0.0f) return zero<f32::IrradianceSpectrum>();
+    return air.solar_irradiance * sun_transmittance(air, transmittance, altitude_m, mu_s) * f32::Number(facing);
+}
+
 namespace {
 
 AIRLIGHT_INLINE f32::RadianceSpectrum source_at(const PackAir& air, const Table<f32::RadianceSpectrum, 4>& source, const RayNodes& nodes, int n, float nu) {
@@ -117,12 +125,7 @@ AIRLIGHT_INLINE f32::RadianceSpectrum source_at(const PackAir& air, const Table<
 // Light that the ground sends up where the ray ends, per unit of albedo / pi.
 f32::IrradianceSpectrum light_on_ground(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, const Gathered& what, float mu_s) {
     f32::IrradianceSpectrum sum = zero<f32::IrradianceSpectrum>();
-    if (what.direct_on_ground) {
-        // Near the horizon the disk's visible part faces the ground at half its height.
-        const float radius = air.sun_angular_radius;
-        const float facing = mu_s >= radius ? mu_s : std::max(0.0f, 0.5f * (mu_s + radius));
-        if (facing > 0.0f) sum += air.solar_irradiance * sun_transmittance(air, transmittance, 0.0f, mu_s) * f32::Number(facing);
-    }
+    if (what.direct_on_ground) sum += direct_irradiance(air, transmittance, 0.0f, mu_s);
     if (what.diffuse_on_ground) {
         const auto& size = what.diffuse_on_ground->size();
         sum += what.diffuse_on_ground->look_up({f32::texture_coordinate(f32::sun_coordinate(mu_s), size[0]).value, f32::texture_coordinate(0.0, size[1]).value});

@@ -49,6 +49,12 @@ struct PackTables {
 // Transmittance from a point to the sun, times the part of its disk that stands above the horizon.
 f32::Spectrum sun_transmittance(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, float altitude_m, float mu_s);
 
+// Irradiance of a level plane facing up by the sun's disk.
+f32::IrradianceSpectrum direct_irradiance(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, float altitude_m, float mu_s);
+
+// Transmittance through the given columns of each part's air (relative density times length, in metres).
+f32::Spectrum transmittance_of(const PackAir& air, const float* columns_m);
+
 // The transmittance table of an atmosphere.
 Table<f32::Spectrum, 2> transmittance_table(const PackAir& air, const TableSizes& sizes);
 

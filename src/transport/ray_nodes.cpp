@@ -160,10 +160,14 @@ void sample_ray(const Shell& shell, const Ray& ray, const DensityTable& densitie
     const f64::Length top = f64::Length::of(shell.top_m);
     nodes.count = 0;
     nodes.meets_ground = f64::meets_ground(h, ray.mu, bottom);
-    const double length = nodes.meets_ground ? f64::distance_to_ground(h, ray.mu, bottom).value : f64::distance_to_top(h, ray.mu, bottom, top).value;
+    double length = nodes.meets_ground ? f64::distance_to_ground(h, ray.mu, bottom).value : f64::distance_to_top(h, ray.mu, bottom, top).value;
+    if (ray.limit_m < length) {
+        length = ray.limit_m;
+        nodes.meets_ground = false;
+    }
 
     const Path path{shell.bottom_m, shell.bottom_m + ray.altitude_m, ray.altitude_m, (shell.bottom_m + ray.altitude_m) * ray.mu};
-    const double end_radius = shell.bottom_m + (nodes.meets_ground ? 0.0 : shell.top_m);
+    const double end_radius = shell.bottom_m + path.altitude(path.x0 + length);
     nodes.end_mu_s = static_cast<float>(std::clamp((path.r0 * ray.mu_s + ray.nu * length) / end_radius, -1.0, 1.0));
     std::fill(nodes.total_column_m, nodes.total_column_m + max_parts, 0.0f);
     if (!(length > 0.0)) return;

@@ -19,6 +19,7 @@ struct Ray {
     double mu;          // cosine of its zenith angle
     double mu_s;        // cosine of the sun's zenith angle
     double nu;          // cosine of the angle between them
+    double limit_m = 1e300;  // where it ends, if it has not met the ground or left the air before
 };
 
 // A ray is cut at its perigee, where it enters or leaves the planet's shadow, and after one and a few mean free paths;
@@ -30,7 +31,7 @@ struct RayNodes {
     static constexpr int capacity = max_per_piece * max_pieces;
 
     int count = 0;
-    bool meets_ground = false;
+    bool meets_ground = false;             // before its limit
     float end_mu_s = 0.0f;                 // cosine of the sun's zenith angle where the ray ends
     float altitude_m[capacity];
     float mu[capacity];                    // of the ray itself

@@ -1,0 +1,211 @@
+#include "sky/table_sky.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/parallel.h"
+#include "transport/ray_nodes.h"
+
+namespace airlight {
+
+namespace {
+
+constexpr int nodes_per_piece = 24;
+
+// The cosine between view and sun.
+double view_sun_cosine(double view_zenith, double sun_zenith, double relative_azimuth) {
+    return std::clamp(std::cos(view_zenith) * std::cos(sun_zenith) + std::sin(view_zenith) * std::sin(sun_zenith) * std::cos(relative_azimuth), -1.0, 1.0);
+}
+
+// The ray of a view within the air; none if it misses the air.
+std::optional<Ray> ray_of(const Shell& shell, const View& view) {
+    Ray ray{view.altitude.value, std::cos(view.view_zenith), std::cos(view.sun_zenith), view_sun_cosine(view.view_zenith, view.sun_zenith, view.relative_azimuth)};
+    if (!enter_air(shell, ray)) return std::nullopt;
+    return ray;
+}
+
+RayLight light_along(const Tables::Pack& pack, const Ray& ray) {
+    static thread_local RayNodes nodes;
+    sample_ray(pack.air.shell, ray, pack.air.densities, pack.air.free_path_at(static_cast<float>(ray.altitude_m)), nodes_per_piece, nodes);
+    const Gathered everything{.single = true, .source = &pack.tables.source, .diffuse_on_ground = &pack.tables.irradiance, .direct_on_ground = true};
+    return gather(pack.air, pack.tables.transmittance, everything, nodes, static_cast<float>(ray.nu));
+}
+
+// Radiance in a direction from light without phase functions, at the wavelengths of the pack.
+AIRLIGHT_INLINE f32::RadianceSpectrum with_phases(const AirOptics& optics, const RayLight& light, double nu) {
+    f32::RadianceSpectrum radiance = light.multiple;
+    for (std::size_t p = 0; p < optics.parts.size(); ++p) {
+        if (!optics.parts[p].scatters) continue;
+        const f64::PhaseSpectrum phase = optics.parts[p].phase.at(nu);
+        for (int w = 0; w < pack_size; ++w) radiance.v[w] += light.single[p].v[w] * static_cast<float>(phase.v[w]);
+    }
+    return radiance;
+}
+
+}  // namespace
+
+TableSky::TableSky(std::shared_ptr<const Tables> tables) : tables_(std::move(tables)) {}
+
+Result<RadianceEstimate> TableSky::radiance(const View& view) const {
+    if (const Result<Done> ok = check_view(view.altitude, view.view_zenith, view.sun_zenith, view.relative_azimuth); !ok) return ok.error();
+    RadianceEstimate estimate;
+    for (const Tables::Pack& pack : tables_->packs()) {
+        const std::optional<Ray> ray = ray_of(pack.air.shell, view);
+        const double nu = view_sun_cosine(view.view_zenith, view.sun_zenith, view.relative_azimuth);
+        for (int w = 0; w < pack.optics.wavelength_count; ++w) estimate.radiance_W_m2_sr_nm.push_back(0.0);
+        if (!ray) continue;
+        const f32::RadianceSpectrum radiance = with_phases(pack.optics, light_along(pack, *ray), nu);
+        double* first = &estimate.radiance_W_m2_sr_nm[estimate.radiance_W_m2_sr_nm.size() - static_cast<std::size_t>(pack.optics.wavelength_count)];
+        for (int w = 0; w < pack.optics.wavelength_count; ++w) first[w] = radiance.v[w];
+    }
+    estimate.standard_error.assign(estimate.radiance_W_m2_sr_nm.size(), 0.0);
+    return estimate;
+}
+
+Result<IrradianceEstimate> TableSky::irradiance(Length altitude, double sun_zenith) const {
+    if (const Result<Done> ok = check_view(altitude, 0.0, sun_zenith, 0.0); !ok) return ok.error();
+    IrradianceEstimate estimate;
+    const float mu_s = static_cast<float>(std::cos(sun_zenith));
+    for (const Tables::Pack& pack : tables_->packs()) {
+        const PackAir& air = pack.air;
+        const bool in_air = altitude.value <= air.shell.top_m;
+        const float h = static_cast<float>(std::min(altitude.value, air.shell.top_m));
+        const auto& size = pack.tables.irradiance.size();
+        const float x = f32::texture_coordinate(f32::sun_coordinate(mu_s), size[0]).value;
+        const float y = f32::texture_coordinate(f32::altitude_coordinate(f32::Length::of(h), f32::Length::of(static_cast<float>(air.shell.top_m))), size[1]).value;
+        const f32::IrradianceSpectrum diffuse = pack.tables.irradiance.look_up({x, y});
+        const f32::IrradianceSpectrum direct = direct_irradiance(air, pack.tables.transmittance, h, mu_s);
+        for (int w = 0; w < pack.optics.wavelength_count; ++w) {
+            estimate.direct_W_m2_nm.push_back(direct.v[w]);
+            estimate.diffuse_W_m2_nm.push_back(in_air ? diffuse.v[w] : 0.0);
+        }
+    }
+    estimate.standard_error.assign(estimate.diffuse_W_m2_nm.size(), 0.0);
+    return estimate;
+}
+
+Result<std::vector<double>> TableSky::transmittance(Length altitude, double view_zenith, Length distance) const {
+    if (const Result<Done> ok = check_view(altitude, view_zenith, 0.0, 0.0); !ok) return ok.error();
+    std::vector<double> transmittance;
+    RayNodes nodes;
+    for (const Tables::Pack& pack : tables_->packs()) {
+        // Only the way matters: let the sun stand behind, where no shadow cuts the ray.
+        Ray ray{altitude.value, std::cos(view_zenith), 1.0, std::cos(view_zenith), distance.value};
+        const double outside = altitude.value;
+        const bool met = enter_air(pack.air.shell, ray);
+        if (met && outside > pack.air.shell.top_m) {
+            const double r = pack.air.shell.bottom_m + outside;
+            const double top = pack.air.shell.bottom_m + pack.air.shell.top_m;
+            ray.limit_m -= -r * std::cos(view_zenith) + top * ray.mu;  // the way to the air is empty
+        }
+        f32::Spectrum seen(f32::Number(1.0));
+        if (met && ray.limit_m > 0.0) {
+            sample_ray(pack.air.shell, ray, pack.air.densities, pack.air.free_path_at(static_cast<float>(ray.altitude_m)), nodes_per_piece, nodes);
+            seen = transmittance_of(pack.air, nodes.total_column_m);
+        }
+        for (int w = 0; w < pack.optics.wavelength_count; ++w) transmittance.push_back(seen.v[w]);
+    }
+    return transmittance;
+}
+
+namespace {
+
+// Texels of the dome: zenith angles from the sky's edge to the horizon and from there to the nadir, by azimuth.
+constexpr int sky_angles = 160;
+constexpr int ground_angles = 96;
+constexpr int azimuths = 91;
+
+// The light without phase functions on a grid of directions that crowds, above and below, towards the horizon.
+class TableDome : public SkyDome {
+public:
+    TableDome(std::shared_ptr<const Tables> tables, Length altitude, double sun_zenith) : tables_(std::move(tables)), sun_zenith_(sun_zenith) {
+        const Shell& shell = tables_->packs()[0].air.shell;
+        const double r = shell.bottom_m + altitude.value;
+        horizon_ = pi - std::asin(std::min(1.0, shell.bottom_m / r));
+        const double top = shell.bottom_m + shell.top_m;
+        edge_ = r <= top ? 0.0 : pi - std::asin(top / r);
+        cells_.resize(tables_->packs().size());
+        for (std::size_t p = 0; p < cells_.size(); ++p) cells_[p].resize(static_cast<std::size_t>((sky_angles + ground_angles) * azimuths));
+        parallel_for(static_cast<std::size_t>(sky_angles + ground_angles), [&](std::size_t i) {
+            for (int j = 0; j < azimuths; ++j) fill(altitude, static_cast<int>(i), j);
+        });
+    }
+
+    void radiance(double view_zenith, double relative_azimuth, std::span<float> radiance) const override {
+        std::fill(radiance.begin(), radiance.end(), 0.0f);
+        if (view_zenith < edge_) return;
+        const double nu = view_sun_cosine(view_zenith, sun_zenith_, relative_azimuth);
+        const bool sky = view_zenith <= horizon_;
+        const double s = sky ? std::sqrt((horizon_ - view_zenith) / (horizon_ - edge_)) : std::sqrt((view_zenith - horizon_) / (pi - horizon_));
+        const int count = sky ? sky_angles : ground_angles;
+        const Place row = place(s, count, sky ? 0 : sky_angles);
+        const double turn = std::abs(std::remainder(relative_azimuth, 2.0 * pi)) / pi;
+        const Place column = place(turn, azimuths, 0);
+        std::size_t first = 0;
+        for (std::size_t p = 0; p < cells_.size(); ++p) {
+            const Tables::Pack& pack = tables_->packs()[p];
+            const f32::RadianceSpectrum value = with_phases(pack.optics, interpolated(cells_[p], pack.air.parts, row, column), nu);
+            for (int w = 0; w < pack.optics.wavelength_count; ++w) radiance[first++] = value.v[w];
+        }
+    }
+
+private:
+    struct Place {
+        int low;
+        float weight;  // of the next
+    };
+    static Place place(double s, int count, int offset) {
+        const double x = std::clamp(s, 0.0, 1.0) * (count - 1);
+        const int low = std::min(static_cast<int>(x), count - 2);
+        return {offset + low, static_cast<float>(x - low)};
+    }
+
+    double zenith_of(int i) const {
+        // A hair off the horizon itself, on its own side.
+        const bool sky = i < sky_angles;
+        const double s = std::max(1e-6, sky ? static_cast<double>(i) / (sky_angles - 1) : static_cast<double>(i - sky_angles) / (ground_angles - 1));
+        return sky ? horizon_ - (horizon_ - edge_) * s * s * (1.0 - 1e-12) : horizon_ + (pi - horizon_) * s * s;
+    }
+
+    void fill(Length altitude, int i, int j) {
+        const View view{altitude, zenith_of(i), sun_zenith_, pi * j / (azimuths - 1)};
+        for (std::size_t p = 0; p < cells_.size(); ++p) {
+            const Tables::Pack& pack = tables_->packs()[p];
+            RayLight& cell = cells_[p][static_cast<std::size_t>(i * azimuths + j)];
+            const std::optional<Ray> ray = ray_of(pack.air.shell, view);
+            if (ray) cell = light_along(pack, *ray);
+            else cell = RayLight{};
+        }
+    }
+
+    static RayLight interpolated(const std::vector<RayLight>& cells, int parts, Place row, Place column) {
+        RayLight sum{};
+        for (int corner = 0; corner < 4; ++corner) {
+            const bool down = (corner & 1) != 0;
+            const bool right = (corner & 2) != 0;
+            const float weight = (down ? row.weight : 1.0f - row.weight) * (right ? column.weight : 1.0f - column.weight);
+            const RayLight& cell = cells[static_cast<std::size_t>((row.low + down) * azimuths + column.low + right)];
+            for (int w = 0; w < pack_size; ++w) sum.multiple.v[w] += weight * cell.multiple.v[w];
+            for (int part = 0; part < parts; ++part)
+                for (int w = 0; w < pack_size; ++w)
+                    sum.single[static_cast<std::size_t>(part)].v[w] += weight * cell.single[static_cast<std::size_t>(part)].v[w];
+        }
+        return sum;
+    }
+
+    std::shared_ptr<const Tables> tables_;
+    double sun_zenith_;
+    double horizon_;  // zenith angle of the ground's edge
+    double edge_;     // zenith angle where the air begins: 0 within it
+    std::vector<std::vector<RayLight>> cells_;  // [pack][angle * azimuths + azimuth]
+};
+
+}  // namespace
+
+Result<std::unique_ptr<SkyDome>> TableSky::dome(Length altitude, double sun_zenith) const {
+    if (const Result<Done> ok = check_view(altitude, 0.0, sun_zenith, 0.0); !ok) return ok.error();
+    return std::unique_ptr<SkyDome>(std::make_unique<TableDome>(tables_, altitude, sun_zenith));
+}
+
+}  // namespace airlight
