@@ -1,11 +1,12 @@
 # Two commands do everything on a fresh Debian 12: `make demo` and `make test`. The rest is for those who work on it.
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build demo test bench fuzz check sanitize install clean
+.PHONY: help setup build demo test truth bench fuzz check sanitize install clean
 
 help:
 	@echo 'make demo      install what is missing, build, and compute a real sky; names the files it wrote'
 	@echo 'make test      the same set-up, then every test'
+	@echo 'make truth     every row of the independent figures in ../shared/reference, ending in a verdict (about ten minutes)'
 	@echo 'make bench     benchmarks'
 	@echo 'make fuzz      fuzz every parser of files from strangers, FUZZ_SECONDS=60 each'
 	@echo 'make check     a second compiler, format, clang-tidy, every header alone'
@@ -22,6 +23,10 @@ build: setup build/release/build.ninja
 
 test: build
 	ctest --preset release --parallel $$(nproc)
+
+truth: build
+	@failed=0; for t in build/release/tests/truth/truth_*; do [ -x $$t ] && { echo "$$t"; AIRLIGHT_TRUTH=full $$t --minimal || failed=1; }; done; \
+	if [ $$failed = 0 ]; then echo 'verdict: agrees with all independent figures that are present'; else echo 'verdict: DISAGREES, see above'; exit 1; fi
 
 bench: build
 	tools/run-benchmarks build/release/benchmarks

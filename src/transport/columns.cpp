@@ -48,7 +48,7 @@ Coefficients interpolating(const DensityProfile& profile, double low, double hig
 
 double value(const Coefficients& p, double z) { return (((p[4] * z + p[3]) * z + p[2]) * z + p[1]) * z + p[0]; }
 
-// Whether the polynomial follows the density over the whole of the shell: to 1e-7 of its value, or 1e-10 of the largest there is.
+// Whether the polynomial follows the density over the whole of the shell: to 1e-7 of its value, or 1e-12 of the largest there is.
 bool follows(const DensityProfile& profile, double low, double high, double largest) {
     const Coefficients p = interpolating(profile, low, high);
     double error = 0.0, size = 0.0;
@@ -58,7 +58,7 @@ bool follows(const DensityProfile& profile, double low, double high, double larg
         error = std::max(error, std::abs(value(p, z) - exact));
         size = std::max(size, exact);
     }
-    return error <= 1e-7 * size + 1e-10 * largest;
+    return error <= 1e-7 * size + 1e-12 * largest;
 }
 
 double largest_density(const DensityProfile& profile, double top) {
@@ -304,7 +304,7 @@ double Columns::solve(const Leg& leg, const ColumnSet& a, double level, ColumnSe
         const double excess = depth - level;
         if (excess > 0.0) low = std::max(low, x);
         else high = std::min(high, x);
-        const bool close = std::abs(excess) <= 1e-4 * level;
+        const bool close = std::abs(excess) <= 2e-5 * level;
         double next = x + (slope > 0.0 ? (close ? excess : depth * std::log(depth / level)) / slope : 0.0);
         if (!(next >= low && next <= high) || slope <= 0.0 || step > 12) next = 0.5 * (low + high);
         else if (close) {
