@@ -16,22 +16,33 @@ FN Length altitude_of_coordinate(Number x, Length top) {
 
 // Direction of a ray that does not meet the ground, by its distance d to the top of the atmosphere: nearly even in d where
 // d is small, in 1/d where it is large, so that neither a steep ray nor a grazing one is short of texels. Theory: eq. 21.
+// Only sums of positive terms: on a planet that is small beside its air, d - nearest and farthest - nearest cancel, and
+// float then lost 1.4e-4 of the coordinate.
+FN Length transmittance_span(Length h, Length bottom, Length top) {
+    Length to_the_horizon = sqrt(h * (2.0 * bottom + h));
+    Length beyond = sqrt(top * (2.0 * bottom + top));
+    return to_the_horizon + h + 2.0 * bottom * (top / (beyond + top));
+}
 FN Number transmittance_cosine_coordinate(Length h, Number mu, Length bottom, Length top) {
     Length d = distance_to_top(h, mu, bottom, top);
-    Length nearest = top - h;
-    Length farthest = sqrt(h * (2.0 * bottom + h)) + sqrt(top * (2.0 * bottom + top));
+    Length r = bottom + h;
+    Length r_top = bottom + top;
+    Length at_top = sqrt((top - h) * (r_top + r) + r * mu * (r * mu));
+    Number detour = r * (1.0 - mu) * (1.0 + r * (1.0 + mu) / (r_top + at_top)) / (r_top + r);
+    Length span = transmittance_span(h, bottom, top);
     Length knee = 3.0 * top;
-    return clamp((d - nearest) / (d + knee) * ((farthest + knee) / (farthest - nearest)), Number(0.0), Number(1.0));
+    return clamp(d * detour / (d + knee) * ((top - h + knee + span) / span), Number(0.0), Number(1.0));
 }
 FN Number transmittance_cosine_of_coordinate(Length h, Number x, Length bottom, Length top) {
     Length nearest = top - h;
-    Length farthest = sqrt(h * (2.0 * bottom + h)) + sqrt(top * (2.0 * bottom + top));
     Length knee = 3.0 * top;
-    Number q = x * ((farthest - nearest) / (farthest + knee));
-    Length d = (nearest + q * knee) / (1.0 - q);
+    Length span = transmittance_span(h, bottom, top);
+    Number q = x * (span / (nearest + knee + span));
+    Length longer = q * (nearest + knee) / (1.0 - q);
+    Length d = nearest + longer;
     if (d <= 0.0 * m) return Number(1.0);
-    Area k = (top - h) * (2.0 * bottom + top + h);
-    return clamp((k - d * d) / (2.0 * (bottom + h) * d), Number(-1.0), Number(1.0));
+    Length r = bottom + h;
+    return clamp(1.0 - longer / d * ((2.0 * (r + nearest) + longer) / (2.0 * r)), Number(-1.0), Number(1.0));
 }
 
 // Sun: texels crowd around a zenith angle of 95 degrees, where twilight fades by a factor in each degree;

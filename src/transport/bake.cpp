@@ -25,7 +25,6 @@ constexpr int nodes_per_piece = 12;
 // Directions of quadrature: sky and ground apart, both crowding towards the horizon between them.
 constexpr int sky_angles = 20;
 constexpr int ground_angles = 12;
-constexpr int view_angles = sky_angles + ground_angles;
 constexpr int azimuths = 22;  // midpoints over half a turn: exact for products of two harmonics of degree 20
 
 // Phase functions are clipped at this angle from the sun; what stands above the clip is integrated over a disk of its own.

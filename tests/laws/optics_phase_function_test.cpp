@@ -62,9 +62,9 @@ TEST_CASE("a phase function integrates to one over the sphere, and its mean cosi
     }
     for (const PhaseFunction& phase : phases) {
         CAPTURE(phase.index());
-        const Moments m = moments(phase);
-        CHECK(std::abs(m.integral - 1.0) < 1e-12);  // 400 terms of rounding, and Gauss's weights to 1e-14
-        CHECK(std::abs(m.mean_cosine - asymmetry(phase, green)) < 1e-12);
+        const Moments found = moments(phase);
+        CHECK(std::abs(found.integral - 1.0) < 1e-12);  // 400 terms of rounding, and Gauss's weights to 1e-14
+        CHECK(std::abs(found.mean_cosine - asymmetry(phase, green)) < 1e-12);
     }
 }
 
@@ -88,10 +88,10 @@ TEST_CASE("light scattered along the beam is twice that across it, less where mo
 
 TEST_CASE("Schlick's phase function integrates to one and has the mean cosine of its closed form") {
     for (const double k : {-0.8, 0.2, 0.6, 0.9}) {
-        const Moments m = moments([&](double nu) { return f64::schlick_phase(k, nu).value; });
-        CHECK(std::abs(m.integral - 1.0) < 1e-12);
+        const Moments found = moments([&](double nu) { return f64::schlick_phase(k, nu).value; });
+        CHECK(std::abs(found.integral - 1.0) < 1e-12);
         const double closed = 1.0 / k - (1.0 - k * k) / (2.0 * k * k) * std::log((1.0 + k) / (1.0 - k));
-        CHECK(std::abs(m.mean_cosine - closed) < 1e-12);
+        CHECK(std::abs(found.mean_cosine - closed) < 1e-12);
     }
     CHECK(f64::schlick_phase(0.0, 0.3).value == doctest::Approx(1.0 / (4.0 * pi)).epsilon(1e-15));
 }

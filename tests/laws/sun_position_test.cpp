@@ -129,8 +129,8 @@ TEST_CASE("at a rise or a set the body stands where the definition says") {
         const Crossings moon = moon_rises_and_sets(place, date);
         CHECK(moon.rises.size() + moon.sets.size() >= 1);
         for (const Utc& t : moon.rises) {
-            const MoonPosition m = moon_position(place, t);
-            CHECK(std::abs((m.direction.zenith - m.angular_radius) / deg - 90.0 - 34.0 / 60.0) < 1e-4);
+            const MoonPosition risen = moon_position(place, t);
+            CHECK(std::abs((risen.direction.zenith - risen.angular_radius) / deg - 90.0 - 34.0 / 60.0) < 1e-4);
         }
     }
 }

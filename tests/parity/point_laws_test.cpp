@@ -68,7 +68,7 @@ double roundings(PointLaw law, const std::vector<float>& results) {
 }
 
 // Software renders to the bit; hardware may divide and take roots by 2.5 and 3 ulps and fuse products into sums,
-// so there each rounding may count six times.
+// so there each rounding may count six times, and an ulp is two roundings.
 void check_each(const std::vector<PointLaw>& laws) {
     Result<gpu::Context> context = gpu::Context::create();
     if (!context) {
@@ -84,7 +84,7 @@ void check_each(const std::vector<PointLaw>& laws) {
         fmt::print("{:<28} {:>7} points on {}: {} ulps from float, {:.3g} roundings from double\n", law.name,
                    law.rows.size(), context->renderer(), ulps, error);
         if (software) CHECK(ulps <= law.ulps);
-        CHECK(error <= 6.0 * law.roundings);
+        CHECK(error <= 6.0 * law.roundings + 2.0 * law.ulps);
     }
     CHECK(context->errors() == 0);
 }
@@ -94,3 +94,4 @@ void check_each(const std::vector<PointLaw>& laws) {
 TEST_CASE("the GPU computes rays in shells as float does") { check_each(shell_laws()); }
 TEST_CASE("the GPU computes densities as float does") { check_each(density_laws()); }
 TEST_CASE("the GPU computes phase functions as float does") { check_each(phase_laws()); }
+TEST_CASE("the GPU computes the maps of tables as float does") { check_each(map_laws()); }

@@ -50,7 +50,7 @@ namespace detail {
 template <class A>
 A argument(double x) {
     if constexpr (std::is_same_v<A, int>)
-        return static_cast<int>(x);
+        return static_cast<int>(std::lround(x));
     else if constexpr (requires { A::size; })
         return A(A::Scalar::of(static_cast<typename A::Rep>(x)));
     else

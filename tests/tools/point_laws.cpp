@@ -55,6 +55,22 @@ std::vector<Row> points_and_suns() {
     return all;
 }
 
+// Coordinates of texels: both ends, their neighbours, and between.
+std::vector<double> coordinates() {
+    std::vector<double> all = {0.0, 1e-6, 1e-3, 1.0 - 1e-3, 1.0};
+    for (double x = 0.01; x < 1.0; x += 0.0173) all.push_back(x);
+    return all;
+}
+
+// Starts in a shell with a coordinate for the direction: h, x, bottom, top.
+std::vector<Row> starts_and_coordinates() {
+    std::vector<Row> all;
+    for (const ShellRay& r : all_rays())
+        if (r.mu == 0.0)
+            for (const double x : coordinates()) all.push_back({r.h, to_float(x), r.bottom, r.top});
+    return all;
+}
+
 std::vector<double> peaks() { return {-0.999, -0.9, -0.3, -1e-3, 0.0, 1e-3, 0.3, 0.65, 0.76, 0.9, 0.99, 0.999}; }
 std::vector<double> altitudes() { return {0.0, 1.0, 300.0, 1200.0, 8000.0, 25e3, 60e3, 100e3, 400e3, 10000e3, 100000e3}; }
 
@@ -108,6 +124,33 @@ std::vector<PointLaw> phase_laws() {
         POINT_LAW(schlick_parameter, combinations({peaks()}), 4, 1),
         // constant 2, nu nu and sum 2, products 6
         POINT_LAW(softened_rayleigh_phase, combinations({cosines()}), 6, 0),
+    };
+}
+
+std::vector<PointLaw> map_laws() {
+    return {
+        // constant 1, texel 2, product 3, sum 4
+        POINT_LAW(texture_coordinate, combinations({coordinates(), {2, 16, 32, 64, 256}}), 4, 0),
+        // quotient 1, root 1
+        POINT_LAW(altitude_coordinate, rows(all_rays(), [](const ShellRay& r) { return Row{r.h, r.top}; }), 2, 0),
+        POINT_LAW(altitude_of_coordinate, combinations({coordinates(), altitudes()}), 2, 0),
+        // roots 3, quotient 6, sum 7
+        POINT_LAW(transmittance_span, rows(all_rays(), [](const ShellRay& r) { return Row{r.h, r.bottom, r.top}; }), 7, 0),
+        // d 10, detour 3 + 10 + 4, their product 28, d + knee 11, quotient 40, the rest 9 + 7
+        POINT_LAW(transmittance_cosine_coordinate, start_and_top(rays_to_the_top()), 58, 0),
+        // q 18, longer 18 + 19 + 4, d 42, quotients 41 + 42 + 43
+        POINT_LAW(transmittance_cosine_of_coordinate, starts_and_coordinates(), 130, 0),
+        // argument 2, asinh 2, difference 5, divisor 5, quotient 11; Mesa's sinh and asinh are made of exp and log, and cancel
+        POINT_LAW(sun_coordinate, combinations({cosines()}), 11, 16),
+        POINT_LAW(sun_of_coordinate, combinations({coordinates()}), 11, 64),
+        // acos 2, quotient 3; a GPU's acos may be off by 4096 ulps (SPIR-V's bound), Mesa's polynomial is by 3638
+        POINT_LAW(view_coordinate, combinations({cosines()}), 3, 4096),
+        // product 1 (counted against x), cos 2; a GPU's cos is off by 2^-11 of its range at most, Mesa's by an ulp
+        POINT_LAW(view_of_coordinate, combinations({coordinates()}), 3, 2),
+        POINT_LAW(azimuth_coordinate, combinations({cosines()}), 2, 0),
+        POINT_LAW(azimuth_cosine_of_coordinate, combinations({coordinates()}), 2, 0),
+        // products 1, factors 2 and 2, product 5, root 3, dividend 2, quotient 6
+        POINT_LAW(relative_azimuth_cosine, combinations({cosines(), cosines(), cosines()}), 6, 0),
     };
 }
 

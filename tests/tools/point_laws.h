@@ -11,5 +11,6 @@ namespace airlight::test {
 std::vector<PointLaw> shell_laws();
 std::vector<PointLaw> density_laws();
 std::vector<PointLaw> phase_laws();
+std::vector<PointLaw> map_laws();
 
 }  // namespace airlight::test
