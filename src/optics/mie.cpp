@@ -16,9 +16,6 @@ using Complex = std::complex<double>;
 Complex product(Complex a, Complex b) { return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()}; }
 Complex inverse(Complex a) { return std::conj(a) / std::norm(a); }
 
-// Terms after which nothing of double precision is left. [Wiscombe1980, eq. 1]
-std::size_t term_count(double x) { return static_cast<std::size_t>(x + 4.05 * std::cbrt(x) + 2.0); }
-
 // Where a downward recurrence must start so that a start from zero is forgotten above order n and argument z:
 // the ratio of the two solutions is exp(-4/3 t^(3/2)), t = (order - z) / (z / 2)^(1/3), and 7.5 z^(1/3) makes it 1e-17.
 std::size_t start_order(std::size_t n, double z) {
@@ -78,9 +75,11 @@ double sign(std::size_t n) { return n % 2 == 0 ? 1.0 : -1.0; }
 
 }  // namespace
 
+std::size_t mie_term_count(double x) { return static_cast<std::size_t>(x + 4.05 * std::cbrt(x) + 2.0); }
+
 MieSeries mie_series(double x, RefractiveIndex index) {
     assert(x >= 1e-30 && x <= 1e5 && index.n > 0.0 && index.k >= 0.0);
-    const std::size_t count = term_count(x);
+    const std::size_t count = mie_term_count(x);
     const Complex m(index.n, -index.k);
     const Complex inverse_m = inverse(m);
     const std::vector<Complex> d = logarithmic_derivatives(m * x, count);

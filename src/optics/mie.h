@@ -3,6 +3,7 @@
 #pragma once
 
 #include <complex>
+#include <cstddef>
 #include <vector>
 
 namespace airlight {
@@ -30,6 +31,9 @@ struct MieSeries {
     std::vector<std::complex<double>> a;  // electric multipoles
     std::vector<std::complex<double>> b;  // magnetic multipoles
 };
+
+// Terms after which nothing of double precision is left. [Wiscombe1980, eq. 1]
+std::size_t mie_term_count(double x);
 
 // For 1e-30 <= x <= 1e5. Stable for any absorption and down to the smallest x: logarithmic derivatives are found by downward
 // recurrence, Riccati-Bessel functions upward while they oscillate and by downward ratios beyond. Cost: max(x, |n - ik| x) terms.
