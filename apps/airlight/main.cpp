@@ -25,7 +25,8 @@ constexpr int wrong_usage = 2;
 // What was printed has reached its file or pipe: a full disk is an error too.
 Result<Done> printed() {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return Done{};
-    return Error{"standard output", fmt::format("cannot be written: {}", std::strerror(errno)), "Check that the disk is not full."};
+    return Error{"standard output", fmt::format("cannot be written: {}", std::strerror(errno)),
+                 "Check that the disk is not full."};
 }
 
 int run(const Command& command) {

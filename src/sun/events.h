@@ -26,12 +26,12 @@ inline constexpr double nautical_twilight_zenith = 102.0 * deg;
 inline constexpr double astronomical_twilight_zenith = 108.0 * deg;
 
 struct SunDay {
-    Crossings sun;           // its upper limb, over a horizon at the level of the eye
-    Crossings civil;         // a rise is the morning's beginning, a set the evening's end
+    Crossings sun;    // its upper limb, over a horizon at the level of the eye
+    Crossings civil;  // a rise is the morning's beginning, a set the evening's end
     Crossings nautical;
     Crossings astronomical;
-    Utc highest;             // the moment of the day at which the sun stands highest
-    double highest_zenith;   // radians, of its centre, without air
+    Utc highest;            // the moment of the day at which the sun stands highest
+    double highest_zenith;  // radians, of its centre, without air
 };
 
 // The sun's day that holds `date` (its clock does not matter). Moments are exact to 0.02 s for the definitions above;

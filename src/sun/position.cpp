@@ -14,10 +14,10 @@ namespace airlight {
 
 namespace {
 
-constexpr double au_m = 149597870700.0;      // IAU 2012 resolution B2
+constexpr double au_m = 149597870700.0;  // IAU 2012 resolution B2
 constexpr double light_days_per_au = au_m / 299792458.0 / 86400.0;
-constexpr double sun_radius_m = 695.7e6;     // IAU 2015 resolution B3, nominal
-constexpr double moon_radius_m = 1737.4e3;   // IAU 2015 working group on cartographic coordinates
+constexpr double sun_radius_m = 695.7e6;    // IAU 2015 resolution B3, nominal
+constexpr double moon_radius_m = 1737.4e3;  // IAU 2015 working group on cartographic coordinates
 
 struct State {  // barycentric, GCRS axes, au and au per day
     Vec3 position;
@@ -116,15 +116,18 @@ Result<Done> in_range(const char* where, double value, double low, double high, 
 Result<Place> place_of(Place place) {
     const auto latitude = in_range("latitude", place.latitude / deg, -90.0, 90.0, "deg", "North is positive, south negative.");
     if (!latitude) return latitude.error();
-    const auto longitude = in_range("longitude", place.longitude / deg, -180.0, 180.0, "deg", "East is positive, west negative.");
+    const auto longitude =
+        in_range("longitude", place.longitude / deg, -180.0, 180.0, "deg", "East is positive, west negative.");
     if (!longitude) return longitude.error();
-    const auto altitude = in_range("altitude", place.altitude.in(m), -500.0, 1e6, "m", "It is the height above sea level in metres.");
+    const auto altitude =
+        in_range("altitude", place.altitude.in(m), -500.0, 1e6, "m", "It is the height above sea level in metres.");
     if (!altitude) return altitude.error();
     return place;
 }
 
 Result<RefractionAir> refraction_air_of(RefractionAir air) {
-    const auto pressure = in_range("pressure", air.pressure_hpa, 0.0, 1100.0, "hPa", "It is the pressure at the eye, not at sea level.");
+    const auto pressure =
+        in_range("pressure", air.pressure_hpa, 0.0, 1100.0, "hPa", "It is the pressure at the eye, not at sea level.");
     if (!pressure) return pressure.error();
     const auto temperature = in_range("temperature", air.temperature_c, -100.0, 60.0, "deg C", "It is in degrees Celsius.");
     if (!temperature) return temperature.error();
@@ -154,7 +157,8 @@ MoonPosition moon_position(const Place& place, const Utc& moment, const SkyOptio
     const double distance_au = glm::length(ray);
     const Vec3 to_eye = -ray / distance_au;
     const double phase = std::atan2(glm::length(glm::cross(to_sun, to_eye)), glm::dot(to_sun, to_eye));
-    return {horizontal(ray, astrom, options), distance_au * au_m * m, angular_radius(moon_radius_m, distance_au), phase, 0.5 * (1.0 + std::cos(phase))};
+    return {horizontal(ray, astrom, options), distance_au * au_m * m, angular_radius(moon_radius_m, distance_au), phase,
+            0.5 * (1.0 + std::cos(phase))};
 }
 
 double refracted_zenith(double zenith, const RefractionAir& air) {

@@ -60,8 +60,9 @@ struct MoonPosition {
     double illuminated_fraction;    // of the disk, [0, 1]
 };
 
-// Geometry good to 0.0005 deg for the sun and 0.004 deg for the moon (ERFA's series after [Meeus1998]) in 1972-2035, if UT1 - UTC is given;
-// without it (0) and outside these years the Earth's rotation is uncertain by up to 0.004 deg for each second of UT1.
+// Geometry good to 0.0005 deg for the sun and 0.004 deg for the moon (ERFA's series after [Meeus1998]) in 1972-2035, if UT1 -
+// UTC is given; without it (0) and outside these years the Earth's rotation is uncertain by up to 0.004 deg for each second of
+// UT1.
 SunPosition sun_position(const Place& place, const Utc& moment, const SkyOptions& options = {});
 MoonPosition moon_position(const Place& place, const Utc& moment, const SkyOptions& options = {});
 

@@ -115,12 +115,15 @@ Result<Utc> utc_of(Utc t) {
     if (!(t.second >= 0.0 && t.second < 61.0))
         return refuse(fmt::format("second {:g} is out of range: it must be below 60, or 60 in a leap second", t.second));
     if (t.second >= 60.0 && !has_leap_second(t))
-        return refuse(fmt::format("second {:g} is out of range: {}-{:02}-{:02} {:02}:{:02} UTC has no leap second", t.second, t.year, t.month, t.day, t.hour, t.minute));
+        return refuse(fmt::format("second {:g} is out of range: {}-{:02}-{:02} {:02}:{:02} UTC has no leap second", t.second,
+                                  t.year, t.month, t.day, t.hour, t.minute));
     return t;
 }
 
 Result<Utc> parse_utc(std::string_view text) {
-    const auto refuse = [&](std::string_view why) { return Error{"", fmt::format("\"{}\" is not a time: {}", text, why), form}; };
+    const auto refuse = [&](std::string_view why) {
+        return Error{"", fmt::format("\"{}\" is not a time: {}", text, why), form};
+    };
     Scanner scanner(text);
     Utc t;
     const auto year = scanner.digits(4);
@@ -152,13 +155,15 @@ Result<Utc> parse_utc(std::string_view text) {
 
 std::string utc_text(const Utc& t, int decimals) {
     assert(decimals >= 0 && decimals <= 9);
-    const std::string second = fmt::format("{:012.9f}", t.second).substr(0, decimals > 0 ? 3 + static_cast<std::size_t>(decimals) : 2);
+    const std::string second =
+        fmt::format("{:012.9f}", t.second).substr(0, decimals > 0 ? 3 + static_cast<std::size_t>(decimals) : 2);
     return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{}Z", t.year, t.month, t.day, t.hour, t.minute, second);
 }
 
 Result<Utc> after(const Utc& moment, double seconds) {
     constexpr double two_centuries = 201.0 * 366.0 * 86400.0;
-    if (!(std::abs(seconds) < two_centuries)) return Error{"", fmt::format("{:g} s lead out of the years 1900 to 2100", seconds), ""};
+    if (!(std::abs(seconds) < two_centuries))
+        return Error{"", fmt::format("{:g} s lead out of the years 1900 to 2100", seconds), ""};
     const int start = day_number(moment);
     const double total = second_of_day(moment) + seconds;
     int day = start + static_cast<int>(std::floor(total / 86400.0));

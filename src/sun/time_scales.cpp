@@ -23,7 +23,8 @@ TimeScales time_scales(const Utc& t, double ut1_minus_utc_s) {
     TimeScales scales{};
     if (t.year < 1960) {
         scales.ut1 = {utc.first, utc.second + ut1_minus_utc_s / 86400.0};
-        eraUt1tt(scales.ut1.first, scales.ut1.second, delta_t_before_utc(t.year + (t.month - 0.5) / 12.0), &scales.tt.first, &scales.tt.second);
+        eraUt1tt(scales.ut1.first, scales.ut1.second, delta_t_before_utc(t.year + (t.month - 0.5) / 12.0), &scales.tt.first,
+                 &scales.tt.second);
         return scales;
     }
     JulianDate tai{};

@@ -24,10 +24,10 @@ struct ReportedDistance {
 };
 
 struct ReportedWind {
-    std::optional<int> from_deg;       // true degrees, 0 to 360, where it blows from; none: variable or not measured
-    std::optional<double> speed_mps;   // m/s
-    std::optional<double> gust_mps;    // m/s
-    bool speed_at_least = false;       // "P99KT": the speed is beyond the scale
+    std::optional<int> from_deg;      // true degrees, 0 to 360, where it blows from; none: variable or not measured
+    std::optional<double> speed_mps;  // m/s
+    std::optional<double> gust_mps;   // m/s
+    bool speed_at_least = false;      // "P99KT": the speed is beyond the scale
     std::optional<int> varies_from_deg, varies_to_deg;  // "180V240", clockwise
 };
 
@@ -49,8 +49,8 @@ enum class Intensity { light, moderate, heavy, vicinity };
 // One group of present weather, in the letters of WMO code table 4678: "+TSRAGR" is heavy, "TS", {"RA", "GR"}.
 struct PresentWeather {
     Intensity intensity = Intensity::moderate;
-    std::string descriptor;               // MI BC PR DR BL SH TS FZ, or empty
-    std::vector<std::string> phenomena;   // DZ RA SN SG IC PL GR GS UP, BR FG FU VA DU SA HZ PY, PO SQ FC SS DS
+    std::string descriptor;              // MI BC PR DR BL SH TS FZ, or empty
+    std::vector<std::string> phenomena;  // DZ RA SN SG IC PL GR GS UP, BR FG FU VA DU SA HZ PY, PO SQ FC SS DS
 
     bool has(std::string_view phenomenon) const;
 };
@@ -83,14 +83,14 @@ struct Metar {
     std::vector<PresentWeather> weather;
     std::vector<PresentWeather> recent_weather;  // "RERA"
     std::vector<ReportedCloud> clouds;
-    std::string no_cloud;  // SKC, CLR, NSC or NCD where the report says so
+    std::string no_cloud;                 // SKC, CLR, NSC or NCD where the report says so
     std::optional<double> temperature_c;  // to 0.1 where the remarks have it (T00561017)
     std::optional<double> dew_point_c;
     std::optional<double> qnh_hpa;                 // of Q1013 or A2992
     std::optional<double> sea_level_pressure_hpa;  // of SLP132 in the remarks
     std::vector<std::string> supplementary;        // wind shear, sea, state of runways, colour states: their text
-    std::string trend;    // "NOSIG", "BECMG ..." or "TEMPO ...", to the remarks
-    std::string remarks;  // all after RMK
+    std::string trend;                             // "NOSIG", "BECMG ..." or "TEMPO ...", to the remarks
+    std::string remarks;                           // all after RMK
 };
 
 // Reads one message, with or without "METAR" or "SPECI" before and '=' behind, over any number of lines; also the line

@@ -15,7 +15,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 namespace airlight::fuzz {
 
-inline std::string_view text_of(const std::uint8_t* data, std::size_t size) { return {reinterpret_cast<const char*>(data), size}; }
+inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
+    return {reinterpret_cast<const char*>(data), size};
+}
 
 inline void demand(bool holds, const char* law) {
     if (holds) return;
@@ -24,6 +26,8 @@ inline void demand(bool holds, const char* law) {
 }
 
 // A refusal says what is wrong.
-inline void demand_message(const Error& error) { demand(!error.what.empty() && error.message().size() < 4096, "an error says what is wrong, and briefly"); }
+inline void demand_message(const Error& error) {
+    demand(!error.what.empty() && error.message().size() < 4096, "an error says what is wrong, and briefly");
+}
 
 }  // namespace airlight::fuzz

@@ -11,8 +11,9 @@ using namespace airlight;
 
 TEST_CASE("a time reads the same in every form of ISO 8601 that says it") {
     const Utc expected{2003, 10, 17, 19, 30, 30.0};
-    for (const char* text : {"2003-10-17T19:30:30Z", "2003-10-17T12:30:30-07:00", "2003-10-17T12:30:30-0700", "2003-10-17T12:30:30-07",
-                             "2003-10-17 19:30:30", "2003-10-18T01:00:30+05:30", "2003-10-17t19:30:30.0z"}) {
+    for (const char* text :
+         {"2003-10-17T19:30:30Z", "2003-10-17T12:30:30-07:00", "2003-10-17T12:30:30-0700", "2003-10-17T12:30:30-07",
+          "2003-10-17 19:30:30", "2003-10-18T01:00:30+05:30", "2003-10-17t19:30:30.0z"}) {
         CAPTURE(text);
         CHECK(*parse_utc(text) == expected);
     }
@@ -100,6 +101,6 @@ TEST_CASE("TT runs on without a jump where the sources of Delta T change") {
     CHECK(delta_t({2016, 12, 31, 23, 59, 60.5}) == doctest::Approx(68.184).epsilon(1e-6));
     CHECK(std::abs(delta_t_before_utc(1920.0 - 1e-6) - delta_t_before_utc(1920.0)) < 0.2);
     CHECK(std::abs(delta_t_before_utc(1941.0 - 1e-6) - delta_t_before_utc(1941.0)) < 0.2);
-    CHECK(std::abs(delta_t_before_utc(1900.0) + 2.8) < 0.1);  // observed: -2.8 s
+    CHECK(std::abs(delta_t_before_utc(1900.0) + 2.8) < 0.1);   // observed: -2.8 s
     CHECK(std::abs(delta_t_before_utc(1950.0) - 29.1) < 0.1);  // observed: 29.1 s
 }
