@@ -11,6 +11,7 @@ pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET OpenEXR)
 find_package(PNG REQUIRED)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 pkg_check_modules(erfa REQUIRED IMPORTED_TARGET erfa)
+pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 
 if(AIRLIGHT_GPU)
   pkg_check_modules(epoxy IMPORTED_TARGET epoxy)

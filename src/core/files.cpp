@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <system_error>
@@ -70,7 +71,7 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t max
 
 std::filesystem::path temporary_name(const std::filesystem::path& path) {
     std::filesystem::path name = path;
-    name += fmt::format(".part{}", ::getpid());
+    name += fmt::format(".part{}-{}", ::getpid(), ::gettid());
     return name;
 }
 
@@ -87,16 +88,20 @@ Result<Done> publish_file(const std::filesystem::path& temporary, const std::fil
     return file_error(path, "cannot be written", failed, "Check that the folder exists, that you may write to it, and that the disk is not full.");
 }
 
-Result<Done> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+Result<Done> write_file(const std::filesystem::path& path, std::span<const std::span<const std::byte>> pieces) {
     const std::filesystem::path temporary = temporary_name(path);
     Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-    const bool written = file && write_all(file.number(), bytes);
+    const bool written = file && std::all_of(pieces.begin(), pieces.end(), [&](auto piece) { return write_all(file.number(), piece); });
     const int code = errno;
     if (written && file.close()) return publish_file(temporary, path);
 
     std::error_code ignored;
     if (file) std::filesystem::remove(temporary, ignored);
     return file_error(path, "cannot be written", code, "Check that the folder exists, that you may write to it, and that the disk is not full.");
+}
+
+Result<Done> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+    return write_file(path, std::span(&bytes, 1));
 }
 
 Result<Done> write_file(const std::filesystem::path& path, std::string_view text) {

@@ -19,8 +19,11 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t max
 // stays whole until the new file is. Fails, and leaves nothing behind, if the folder cannot be written or the disk is full.
 Result<Done> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 Result<Done> write_file(const std::filesystem::path& path, std::string_view text);
+// The same with the pieces one behind the other.
+Result<Done> write_file(const std::filesystem::path& path, std::span<const std::span<const std::byte>> pieces);
 
-// The name under which write_file() collects what is to become `path`; for writers that need a path of their own.
+// The name under which write_file() collects what is to become `path`, of this thread's own; for writers that need
+// a path.
 std::filesystem::path temporary_name(const std::filesystem::path& path);
 
 // The last step of write_file(): flushes `temporary` and gives it its final name.

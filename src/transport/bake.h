@@ -6,18 +6,10 @@
 
 #include "core/progress.h"
 #include "core/result.h"
+#include "transport/bake_settings.h"
 #include "transport/pack_tables.h"
 
 namespace airlight {
-
-struct BakeSettings {
-    TableSizes sizes;
-    // Orders of scattering that are computed, >= 1. With 1, only single scattering is seen.
-    int orders = 5;
-    // Whether the orders beyond are added as the geometric series that the last two computed begin (if orders >= 3).
-    bool extrapolate = true;
-    friend bool operator==(const BakeSettings&, const BakeSettings&) = default;
-};
 
 // A bake between two orders: all that the orders still to come need.
 struct BakeState {

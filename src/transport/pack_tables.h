@@ -7,22 +7,12 @@
 #include <vector>
 
 #include "transport/air_optics.h"
+#include "transport/bake_settings.h"
 #include "transport/density_table.h"
 #include "transport/ray_nodes.h"
 #include "transport/table.h"
 
 namespace airlight {
-
-// Texels of the tables: each count is at least 2.
-struct TableSizes {
-    int transmittance_mu = 256;
-    int transmittance_altitude = 128;
-    int sun = 64;        // cosine of the sun's zenith angle
-    int azimuth = 16;
-    int view = 32;       // view zenith angle
-    int altitude = 32;
-    friend bool operator==(const TableSizes&, const TableSizes&) = default;
-};
 
 // An atmosphere at a pack of wavelengths in single precision, for inner loops.
 struct PackAir {
