@@ -18,6 +18,7 @@ std::string usage(const CLI::App& app) {
     text += " " + app.get_name();
     for (const CLI::Option* option : app.get_options())
         if (option->get_required()) text += " " + typed(*option);
+        else if (option->get_positional()) text += " [" + typed(*option) + "]";
     return text + " [options]\n";
 }
 

@@ -69,6 +69,14 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t max
     }
 }
 
+Result<Done> can_write(const std::filesystem::path& path) {
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) return file_error(path, "cannot be written", errno, "Check that the folder exists and that you may write to it.");
+    std::error_code failed;
+    if (std::filesystem::is_directory(path, failed)) return Error{path.string(), "is a folder, not a file", "Name a file in it."};
+    return Done{};
+}
+
 std::filesystem::path temporary_name(const std::filesystem::path& path) {
     std::filesystem::path name = path;
     name += fmt::format(".part{}-{}", ::getpid(), ::gettid());

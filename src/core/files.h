@@ -22,6 +22,9 @@ Result<Done> write_file(const std::filesystem::path& path, std::string_view text
 // The same with the pieces one behind the other.
 Result<Done> write_file(const std::filesystem::path& path, std::span<const std::span<const std::byte>> pieces);
 
+// Whether a file may be written at `path`: its folder is there and may be written to. For saying so before long work, not after.
+Result<Done> can_write(const std::filesystem::path& path);
+
 // The name under which write_file() collects what is to become `path`, of this thread's own; for writers that need
 // a path.
 std::filesystem::path temporary_name(const std::filesystem::path& path);

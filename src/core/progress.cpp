@@ -38,13 +38,15 @@ void ProgressLine::draw(std::string_view step, double fraction) {
         open_ = false;
         step_ = step;
         step_start_ = last_drawn_ = now;
+        step_begin_ = fraction;
     }
     const auto interval = terminal_ ? std::chrono::milliseconds(100) : std::chrono::milliseconds(10'000);
     if (now - last_drawn_ < interval) return;
     last_drawn_ = now;
 
     const double spent = std::chrono::duration<double>(now - step_start_).count();
-    const std::string left = fraction > 0.01 ? duration_text(spent / fraction * (1.0 - fraction)) + " left" : "";
+    const double share = fraction - step_begin_;
+    const std::string left = share > 0.01 ? duration_text(spent / share * (1.0 - fraction)) + " left" : "";
     const std::string line = fmt::format("{}: {:3.0f} %  {}", step, 100.0 * fraction, left);
     if (terminal_) {
         fmt::print(stderr, "\r{:<70}", line);

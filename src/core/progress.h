@@ -38,6 +38,7 @@ private:
     bool open_ = false;
     std::string step_;
     Clock::time_point step_start_;
+    double step_begin_ = 0.0;  // the fraction at its first report: a job that goes on from earlier does not begin at 0
     Clock::time_point last_drawn_;
 };
 

@@ -139,7 +139,7 @@ public:
                 const int count = ++done;
                 if (count % 64 == 0) progress.report("scattering", (order - 1 + static_cast<double>(count) / tasks) / settings.orders);
             });
-            if (progress.stop.stop_requested()) return Error{"", "the bake was interrupted", "Run the same command again: what was finished is kept."};
+            if (progress.stop.stop_requested()) return Error{"", "the bake was interrupted", ""};
             const bool last = order == settings.orders;
             const bool closes = last && settings.extrapolate && order >= 3;
             if (closes) {

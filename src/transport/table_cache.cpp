@@ -34,6 +34,8 @@ public:
             warn({"", "tables are not kept: the environment names no cache folder", "Set XDG_CACHE_HOME or HOME."});
     }
 
+    bool active() const { return active_; }
+
     std::optional<PackTables> load(const TableOrigin& origin) {
         const std::filesystem::path path = cache_file(settings_.folder, origin, tables_suffix);
         if (!active_ || !is_there(path)) return {};
@@ -92,7 +94,8 @@ Result<PackTables> cached_pack(const Atmosphere& atmosphere, const TableOrigin& 
     if (std::optional<PackTables> loaded = cache.load(origin)) return std::move(*loaded);
     BakeSteps steps{.from = cache.load_state(origin), .order_done = [&](const BakeState& state) { cache.save_state(origin, state); }};
     Result<PackTables> baked = bake_pack(air_optics(atmosphere, origin.wavelengths), origin.settings, progress, std::move(steps));
-    if (baked) cache.save(origin, *baked);
+    if (!baked) return Error{"", baked.error().what, cache.active() ? "Run the same command again: what was finished is kept." : ""};
+    cache.save(origin, *baked);
     return baked;
 }
 

@@ -54,7 +54,7 @@ public:
     template <class... Kinds>
     void add(const std::variant<Kinds...>& choice) {
         add(static_cast<std::uint64_t>(choice.index()));
-        std::visit([this](const auto& kind) { add(kind); }, choice);
+        std::visit([this](const auto& kind) { this->add(kind); }, choice);  // clang 14 sees no use of this without it
     }
 
     void add(const ExponentialProfile& profile) {
