@@ -227,7 +227,7 @@ double Columns::sum(const ColumnSet& a, const ColumnSet& columns) const {
 
 namespace {
 
-// to + sign * from, where differences of nearly equal columns may not fall below zero.
+// times * a - b; rounding may not leave a column below zero.
 ColumnSet difference(const ColumnSet& a, const ColumnSet& b, double times = 1.0) {
     ColumnSet d;
     for (int c = 0; c < max_columns; ++c) {
@@ -316,7 +316,7 @@ double Columns::solve(const Leg& leg, const ColumnSet& a, double level, ColumnSe
         h = altitude(leg.h, leg.q, x);
         columns = outwards(h, leg.q + x);
         densities = density(h);
-        if (high - low <= 1e-12 * (bottom_ + leg.high)) break;
+        if (high - low <= 1e-10 * leg.high) break;
     }
     return x;
 }

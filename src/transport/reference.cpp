@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <functional>
 
+#include "atmosphere/validate.h"
 #include "core/parallel.h"
 #include "transport/reference_path.h"
 
@@ -74,7 +76,7 @@ Result<Done> check(const ReferenceSettings& settings) {
     return Done{};
 }
 
-// The start of paths for an eye at an altitude that may lie outside the air; nullopt-like `misses` if the ray misses the air.
+// Where paths start for an eye that may lie outside the air, unless its ray misses the air.
 struct Entry {
     PathTracer::Start start;
     bool misses;
@@ -129,10 +131,8 @@ Result<Reference> Reference::of(const Atmosphere& atmosphere, std::vector<Wavele
     if (wavelengths.empty()) return Error{"", "no wavelength is given", ""};
     if (atmosphere.constituents.size() >= max_columns)
         return Error{"", fmt::format("{} constituents: at most {} can be traced", atmosphere.constituents.size(), max_columns - 1), "Combine constituents that share a density profile."};
-    for (const Wavelength w : wavelengths)
-        for (const Constituent& c : atmosphere.constituents)
-            if (!c.scattering.covers(w, w) || !c.absorption.covers(w, w))
-                return Error{c.name, fmt::format("it has no data at {} nm", w.in(nm)), "Choose wavelengths that its spectra cover."};
+    const auto [first, last] = std::minmax_element(wavelengths.begin(), wavelengths.end());
+    if (const Result<Done> covered = covers(atmosphere, *first, *last); !covered) return covered.error();
     Reference reference;
     const auto densities = path_densities(atmosphere);
     reference.columns_ = std::make_shared<const Columns>(densities, f64::Length::of(atmosphere.bottom_radius.value), f64::Length::of(atmosphere.top_altitude.value));

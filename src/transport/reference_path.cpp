@@ -38,7 +38,7 @@ double largest(const Spectrum& x) {
     return m;
 }
 
-// A mean altitude: where half a constituent's particles lie above, roughly.
+// The mean altitude of a constituent's particles.
 double mean_altitude(const DensityProfile& profile, double top) {
     double mass = 0.0, moment = 0.0;
     for (int i = 0; i < 4000; ++i) {
@@ -101,6 +101,7 @@ PathTracer::PathTracer(AirOptics optics, std::shared_ptr<const Columns> columns)
     for (std::size_t c = 0; c < optics_.parts.size(); ++c) {
         const AirOptics::Part& part = optics_.parts[c];
         samplers_.emplace_back(part.phase);
+        all_parts_.push_back(static_cast<int>(c));
         if (!part.scatters) continue;
         scatterers_.push_back(static_cast<int>(c));
         for (int l = 0; l < pack_size; ++l) hero_[l].v[c] = part.extinction.v[l];
@@ -110,20 +111,20 @@ PathTracer::PathTracer(AirOptics optics, std::shared_ptr<const Columns> columns)
 
 double PathTracer::drawn_density(const Path& path) const { return product_sum(path.density, hero_share_); }
 
-Spectrum PathTracer::depth(const ColumnSet& columns) const {
+Spectrum PathTracer::depth(const ColumnSet& columns, const std::vector<int>& parts) const {
     Spectrum depth(f64::Number(0.0));
-    for (std::size_t c = 0; c < optics_.parts.size(); ++c) depth += optics_.parts[c].extinction * f64::Length::of(columns.v[c]);
+    for (const int c : parts) depth += optics_.parts[static_cast<std::size_t>(c)].extinction * f64::Length::of(columns.v[c]);
     return depth;
 }
 
 Spectrum PathTracer::transmittance_to_top(double altitude, double mu) const {
     if (f64::meets_ground(f64::Length::of(altitude), mu, optics_.bottom_radius)) return Spectrum(f64::Number(0.0));
-    return exp(-depth(columns_->to_top(altitude, mu)));
+    return exp(-depth(columns_->to_top(altitude, mu), all_parts_));
 }
 
 Spectrum PathTracer::transmittance(double altitude, double mu, double t) const {
     const Columns::Ray ray = columns_->ray(altitude, mu);
-    return exp(-depth(columns_->at_distance(ray, std::min(t, ray.length)).column));
+    return exp(-depth(columns_->at_distance(ray, std::min(t, ray.length)).column, all_parts_));
 }
 
 // The sun's light, on a plane facing it, that reaches a point from one direction of its disk.
@@ -146,31 +147,40 @@ f64::IrradianceSpectrum PathTracer::direct_irradiance(double altitude, double su
     return sum;
 }
 
+// The share of collisions with the ground that heroes draw, for a ray that would end there: by what each brings back.
+Spectrum PathTracer::ground_share(const Spectrum& air_share) const {
+    Spectrum ground;
+    for (int i = 0; i < pack_size; ++i) {
+        const double reflected = optics_.ground_albedo.v[i] * (1.0 - air_share.v[i]);
+        ground.v[i] = reflected / std::max(reflected + air_share.v[i], 1e-300);
+    }
+    return ground;
+}
+
 // Moves the path to its next collision, in the air or with the ground; false if there is none.
-bool PathTracer::advance(Path& path, int order, double first_u, Random& random, Collision& collision) const {
-    const double mu = std::clamp(glm::dot(path.up, path.direction), -1.0, 1.0);
-    const Columns::Ray ray = columns_->ray(path.h, mu);
-    Spectrum scatterers_depth(f64::Number(0.0));
-    for (const int c : scatterers_) scatterers_depth += optics_.parts[static_cast<std::size_t>(c)].extinction * f64::Length::of(ray.total.v[c]);
-    const Spectrum share = share_absorbed(scatterers_depth);
+bool PathTracer::advance(Path& path, double u, Random& random, Collision& collision) const {
+    const Columns::Ray ray = columns_->ray(path.h, std::clamp(glm::dot(path.up, path.direction), -1.0, 1.0));
+    // The share of each wavelength's light that scatterers stop before the ray's end.
+    const Spectrum share = share_absorbed(depth(ray.total, scatterers_));
     collision.ground = false;
     if (ray.ground) {
-        Spectrum ground;
-        for (int i = 0; i < pack_size; ++i) {
-            const double reflected = optics_.ground_albedo.v[i] * (1.0 - share.v[i]);
-            ground.v[i] = reflected / std::max(reflected + share.v[i], 1e-300);
-        }
+        const Spectrum ground = ground_share(share);
         collision.ground = random() < ground.v[path.hero];
         path.density = path.density * (collision.ground ? ground : Spectrum(f64::Number(1.0)) - ground);
     }
     if (collision.ground) {
-        path.weight = path.weight * optics_.ground_albedo * exp(-depth(ray.total));
+        path.weight = path.weight * optics_.ground_albedo * exp(-depth(ray.total, all_parts_));
         path.move(ray.length, 0.0, columns_->bottom());
         return true;
     }
-    const double low_mu_s = (glm::dot(path.up, path.sun) * (columns_->bottom() + path.h) + ray.low_t * glm::dot(path.direction, path.sun)) / (columns_->bottom() + ray.low_h);
+    return collide(path, ray, share, u, random, collision);
+}
+
+// Moves the path to a collision with a scatterer of the air, given that there is one; false if there is none.
+bool PathTracer::collide(Path& path, const Columns::Ray& ray, const Spectrum& share, double u, Random& random, Collision& collision) const {
+    const double low_mu_s = f64::sun_cosine_at(f64::Length::of(path.h), glm::dot(path.up, path.sun), glm::dot(path.direction, path.sun),
+                                               f64::Length::of(ray.low_t), f64::Length::of(ray.low_h), optics_.bottom_radius).value;
     const double beta = low_mu_s < low_sun ? aid_share : 0.0;
-    const double u = order == 1 ? first_u : random();
     Columns::Stop stop;
     if (beta > 0.0 && random() < beta) {
         stop = columns_->at_depth(ray, aid_, u * ray.total.v[aid_index_]);
@@ -178,83 +188,86 @@ bool PathTracer::advance(Path& path, int order, double first_u, Random& random, 
         if (!(share.v[path.hero] > 0.0)) return false;
         stop = columns_->at_depth(ray, hero_[path.hero], -std::log1p(-u * share.v[path.hero]));
     }
-    // The density of this stop for each hero: of collisions with what scatters, given that there is one; and the aid's.
-    Spectrum coefficient(f64::Number(0.0)), optical_depth(f64::Number(0.0));
-    for (const int c : scatterers_) {
-        const auto& extinction = optics_.parts[static_cast<std::size_t>(c)].extinction;
-        for (int i = 0; i < pack_size; ++i) {
-            coefficient.v[i] += extinction.v[i] * stop.density.v[c];
-            optical_depth.v[i] += extinction.v[i] * stop.column.v[c];
-        }
-    }
-    const Spectrum reached = exp(-optical_depth);
-    const double aid_density = ray.total.v[aid_index_] > 0.0 ? beta * stop.density.v[aid_index_] / ray.total.v[aid_index_] : 0.0;
+    // The density of this stop for each hero: of collisions with scatterers, given that there is one; and the aid's.
+    Spectrum coefficient(f64::Number(0.0));
+    for (const int c : scatterers_)
+        for (int i = 0; i < pack_size; ++i) coefficient.v[i] += optics_.parts[static_cast<std::size_t>(c)].extinction.v[i] * stop.density.v[c];
+    const Spectrum reached = exp(-depth(stop.column, scatterers_));
+    const double aid_density = beta > 0.0 && ray.total.v[aid_index_] > 0.0 ? beta * stop.density.v[aid_index_] / ray.total.v[aid_index_] : 0.0;
     for (int i = 0; i < pack_size; ++i)
         path.density.v[i] *= (1.0 - beta) * coefficient.v[i] * reached.v[i] / std::max(share.v[i], 1e-300) + aid_density;
-    path.weight = path.weight * exp(-depth(stop.column));
+    path.weight = path.weight * exp(-depth(stop.column, all_parts_));
     path.move(stop.t, stop.h, columns_->bottom());
     collision.density = stop.density;
     return drawn_density(path) > 0.0;
+}
+
+// The sunlight that the collision turns towards the path's start, without what the path itself carries.
+f64::RadianceSpectrum PathTracer::sunlit(const Path& path, const Collision& collision, Random& random) const {
+    const double u = sun_.is_point() ? 0.0 : random();
+    const Vec3 sun = sun_.is_point() ? path.sun : sun_.draw(path.sun, u, random());
+    const f64::IrradianceSpectrum light = sunlight(path.h, path.up, sun, u);
+    if (collision.ground) return light * f64::PhaseSpectrum(std::max(0.0, glm::dot(path.up, sun)) / pi * f64::per_sr);
+    f64::RadianceSpectrum sum(f64::RadianceSpectrum::Scalar::of(0.0));
+    for (const int c : scatterers_) {
+        const AirOptics::Part& part = optics_.parts[static_cast<std::size_t>(c)];
+        sum += part.scattering * part.phase.at(glm::dot(path.direction, sun)) * light * f64::Length::of(collision.density.v[c]);
+    }
+    return sum;
+}
+
+// Draws the direction in which the path goes on: over the ground by the cosine, in the air by one constituent's phase
+// function at the hero's wavelength. What the path carries is multiplied by the true sum over constituents.
+void PathTracer::turn(Path& path, const Collision& collision, Random& random) const {
+    if (collision.ground) {
+        path.direction = turned(path.up, std::sqrt(random()), 2.0 * pi * random());
+        return;
+    }
+    double shares[max_columns];
+    double total = 0.0;
+    for (const int c : scatterers_) shares[c] = total += optics_.parts[static_cast<std::size_t>(c)].scattering.v[path.hero] * collision.density.v[c];
+    const double pick = random() * total;
+    const int chosen = *std::find_if(scatterers_.begin(), scatterers_.end() - 1, [&](int c) { return pick < shares[c]; });
+    const DirectionSampler::Draw draw = samplers_[static_cast<std::size_t>(chosen)].draw(path.hero, random(), random());
+    Spectrum light(f64::Number(0.0)), drawn(f64::Number(0.0)), scattering(f64::Number(0.0));
+    for (const int c : scatterers_) {
+        const AirOptics::Part& part = optics_.parts[static_cast<std::size_t>(c)];
+        const f64::PhaseSpectrum phase = part.phase.at(draw.nu);
+        const f64::PhaseSpectrum& density = samplers_[static_cast<std::size_t>(c)].density(draw.bin);
+        for (int i = 0; i < pack_size; ++i) {
+            const double coefficient = part.scattering.v[i] * collision.density.v[c];
+            scattering.v[i] += coefficient;
+            light.v[i] += coefficient * phase.v[i];
+            drawn.v[i] += coefficient * density.v[i];
+        }
+    }
+    for (int i = 0; i < pack_size; ++i) path.density.v[i] *= drawn.v[i] / std::max(scattering.v[i], 1e-300);
+    path.weight = path.weight * light;
+    path.direction = turned(path.direction, draw.nu, 2.0 * pi * random());
+}
+
+// Scales what the path carries to a mean density of one, then plays Russian roulette; false if the path ends.
+bool PathTracer::goes_on(Path& path, Random& random) const {
+    const double scale = drawn_density(path);
+    if (!(scale > 0.0)) return false;
+    path.density = path.density / f64::Number(scale);
+    path.weight = path.weight / f64::Number(scale);
+    const double carried = largest(path.weight);
+    if (carried >= roulette_weight) return true;
+    if (random() * roulette_weight >= carried) return false;
+    path.weight = path.weight * f64::Number(roulette_weight / carried);
+    return true;
 }
 
 f64::RadianceSpectrum PathTracer::radiance(const Start& start, Orders orders, int hero, double first_u, Random& random) const {
     f64::RadianceSpectrum sum(f64::RadianceSpectrum::Scalar::of(0.0));
     Path path{start.altitude, start.up, start.direction, start.sun, hero, Spectrum(f64::Number(1.0)), Spectrum(f64::Number(1.0))};
     Collision collision;
-    for (int order = 1; order <= orders.last; ++order) {
-        if (!advance(path, order, first_u, random, collision)) break;
-        // The sun, as seen from here.
-        if (order >= orders.first) {
-            const double u = sun_.is_point() ? 0.0 : random();
-            const Vec3 sun = sun_.is_point() ? path.sun : sun_.draw(path.sun, u, random());
-            const f64::IrradianceSpectrum light = sunlight(path.h, path.up, sun, u);
-            f64::PhaseSpectrum turned_light(0.0 * f64::per_sr);
-            if (collision.ground) turned_light = f64::PhaseSpectrum(std::max(0.0, glm::dot(path.up, sun)) / pi * f64::per_sr);
-            else
-                for (const int c : scatterers_) {
-                    const AirOptics::Part& part = optics_.parts[static_cast<std::size_t>(c)];
-                    const f64::PhaseSpectrum phase = part.phase.at(glm::dot(path.direction, sun));
-                    for (int i = 0; i < pack_size; ++i) turned_light.v[i] += part.scattering.v[i] * collision.density.v[c] * phase.v[i];
-                }
-            sum += path.weight * f64::Number(1.0 / drawn_density(path)) * (turned_light * light);
-        }
+    for (int order = 1; advance(path, order == 1 ? first_u : random(), random, collision); ++order) {
+        if (order >= orders.first) sum += path.weight * f64::Number(1.0 / drawn_density(path)) * sunlit(path, collision, random);
         if (order == orders.last) break;
-        // A new direction.
-        if (collision.ground) {
-            path.direction = turned(path.up, std::sqrt(random()), 2.0 * pi * random());
-        } else {
-            double shares[max_columns];
-            double total = 0.0;
-            for (const int c : scatterers_) shares[c] = total += optics_.parts[static_cast<std::size_t>(c)].scattering.v[hero] * collision.density.v[c];
-            const double pick = random() * total;
-            const int chosen = *std::find_if(scatterers_.begin(), scatterers_.end() - 1, [&](int c) { return pick < shares[c]; });
-            const DirectionSampler::Draw draw = samplers_[static_cast<std::size_t>(chosen)].draw(hero, random(), random());
-            Spectrum turned_light(f64::Number(0.0)), drawn(f64::Number(0.0)), scattering(f64::Number(0.0));
-            for (const int c : scatterers_) {
-                const AirOptics::Part& part = optics_.parts[static_cast<std::size_t>(c)];
-                const f64::PhaseSpectrum phase = part.phase.at(draw.nu);
-                const f64::PhaseSpectrum& density = samplers_[static_cast<std::size_t>(c)].density(draw.bin);
-                for (int i = 0; i < pack_size; ++i) {
-                    const double coefficient = part.scattering.v[i] * collision.density.v[c];
-                    scattering.v[i] += coefficient;
-                    turned_light.v[i] += coefficient * phase.v[i];
-                    drawn.v[i] += coefficient * density.v[i];
-                }
-            }
-            for (int i = 0; i < pack_size; ++i) path.density.v[i] *= drawn.v[i] / std::max(scattering.v[i], 1e-300);
-            path.weight = path.weight * turned_light;
-            path.direction = turned(path.direction, draw.nu, 2.0 * pi * random());
-        }
-        // Both up to one factor: keep them near one. Then play for paths that carry little.
-        const double scale = drawn_density(path);
-        if (!(scale > 0.0)) break;
-        path.density = path.density / f64::Number(scale);
-        path.weight = path.weight / f64::Number(scale);
-        const double carried = largest(path.weight);
-        if (carried < roulette_weight) {
-            if (random() * roulette_weight >= carried) break;
-            path.weight = path.weight * f64::Number(roulette_weight / carried);
-        }
+        turn(path, collision, random);
+        if (!goes_on(path, random)) break;
     }
     return sum;
 }

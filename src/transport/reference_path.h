@@ -50,15 +50,21 @@ private:
     struct Collision;
 
     double drawn_density(const Path& path) const;
-    f64::Spectrum depth(const ColumnSet& columns) const;
+    f64::Spectrum depth(const ColumnSet& columns, const std::vector<int>& parts) const;
+    f64::Spectrum ground_share(const f64::Spectrum& air_share) const;
     f64::IrradianceSpectrum sunlight(double altitude, const Vec3& up, const Vec3& direction, double u) const;
-    bool advance(Path& path, int order, double first_u, Random& random, Collision& collision) const;
+    bool advance(Path& path, double u, Random& random, Collision& collision) const;
+    bool collide(Path& path, const Columns::Ray& ray, const f64::Spectrum& share, double u, Random& random, Collision& collision) const;
+    f64::RadianceSpectrum sunlit(const Path& path, const Collision& collision, Random& random) const;
+    void turn(Path& path, const Collision& collision, Random& random) const;
+    bool goes_on(Path& path, Random& random) const;
 
     AirOptics optics_;
     std::shared_ptr<const Columns> columns_;
     SunSampler sun_;
     std::vector<DirectionSampler> samplers_;  // [part]; of parts that do not scatter, never used
-    std::vector<int> scatterers_;             // indices of parts that scatter
+    std::vector<int> all_parts_;              // indices of parts,
+    std::vector<int> scatterers_;             // and of those that scatter
     ColumnSet hero_[pack_size];               // extinction of scatterers, per wavelength: what distances are drawn by
     f64::Spectrum hero_share_;                // 1 / heroes() for heroes, else 0
     ColumnSet aid_;                           // the same for the aid density alone
