@@ -28,6 +28,7 @@ public:
 };
 
 Command bake_command(CLI::App& airlight);
+Command mie_command(CLI::App& airlight);
 Command sun_command(CLI::App& airlight);
 
 }  // namespace airlight::cli

@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     const std::vector<Command> commands = {
         airlight::cli::bake_command(app),
+        airlight::cli::mie_command(app),
         airlight::cli::sun_command(app),
     };
     try {
