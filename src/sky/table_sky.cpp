@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/parallel.h"
-#include "transport/ray_nodes.h"
+#include "transport/ray_light.h"
 
 namespace airlight {
 

@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "core/quadrature.h"
 #include "transport/harmonics.h"
+#include "transport/ray_light.h"
 
 namespace airlight {
 
@@ -120,6 +121,17 @@ public:
             const double h = altitude(i);
             views_.push_back(view_rule(f64::horizon_cosine(f64::Length::of(h), f64::Length::of(air_.shell.bottom_m)).value));
             scattering_factors_.push_back(factors_at(h));
+            rays_.emplace_back();
+            for (const ViewRule::Angle& angle : views_.back().angles) rays_.back().emplace_back(air_, h, angle.mu, nodes_per_piece, source_size());
+        }
+        for (int j = 0; j < azimuths; ++j)
+            for (int k = 0; k <= layout.degree; ++k)
+                azimuth_weights_[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)] =
+                    static_cast<float>(2.0 * pi / azimuths * std::cos(k * pi * (j + 0.5) / azimuths));
+        for (int j = 0; j < sizes_.azimuth; ++j) {
+            const double phi = std::acos(f64::azimuth_cosine_of_coordinate(static_cast<double>(j) / (sizes_.azimuth - 1)).value);
+            texel_cosines_.emplace_back();
+            for (int k = 0; k <= layout.degree; ++k) texel_cosines_.back()[static_cast<std::size_t>(k)] = static_cast<float>(std::cos(k * phi));
         }
         for (int i = 0; i < sizes_.sun; ++i) peaks_.push_back(peak_rule(sun(i)));
         for (int i = 0; i < sizes_.view; ++i)
@@ -161,7 +173,8 @@ private:
     using Source = Table<RadianceSpectrum, 4>;
     using Irradiance = Table<IrradianceSpectrum, 2>;
 
-    Source empty_source() const { return filled<Source>({sizes_.sun, sizes_.azimuth, sizes_.view, sizes_.altitude}); }
+    std::array<int, 4> source_size() const { return {sizes_.sun, sizes_.azimuth, sizes_.view, sizes_.altitude}; }
+    Source empty_source() const { return filled<Source>(source_size()); }
     Irradiance empty_irradiance() const { return filled<Irradiance>({sizes_.sun, sizes_.altitude}); }
     BakeState empty_state() const { return {0, empty_source(), empty_irradiance(), empty_source(), empty_irradiance()}; }
     template <class T>
@@ -215,25 +228,18 @@ private:
     }
 
     void add_all_directions(const Gathered& what, int i_h, int i_s, Coefficients& light, IrradianceSpectrum& on_level) const {
-        const double h = altitude(i_h);
         const double mu_s = sun(i_s);
-        const double free_path = air_.free_path_at(static_cast<float>(h));
-        RayNodes nodes;
         std::array<RadianceSpectrum, layout.degree + 1> by_order;
-        for (const ViewRule::Angle& angle : views_[static_cast<std::size_t>(i_h)].angles) {
+        for (std::size_t i = 0; i < view_angles; ++i) {
+            const ViewRule::Angle& angle = views_[static_cast<std::size_t>(i_h)].angles[i];
+            const PreparedRay& ray = rays_[static_cast<std::size_t>(i_h)][i];
             by_order.fill(zero<RadianceSpectrum>());
             for (int j = 0; j < azimuths; ++j) {
                 const double phi = pi * (j + 0.5) / azimuths;
                 const double nu = std::clamp(angle.mu * mu_s + std::sqrt((1.0 - angle.mu * angle.mu) * (1.0 - mu_s * mu_s)) * std::cos(phi), -1.0, 1.0);
-                sample_ray(air_.shell, {h, angle.mu, mu_s, nu}, air_.densities, free_path, nodes_per_piece, nodes);
-                const RayLight seen = gather(air_, transmittance_, what, nodes, static_cast<float>(nu));
-                RadianceSpectrum radiance = seen.multiple;
-                if (what.single)
-                    for (std::size_t p = 0; p < optics_.parts.size(); ++p)
-                        if (optics_.parts[p].scatters)
-                            radiance += seen.single[p] * narrowed(optics_.parts[p].phase.at(std::min(nu, std::cos(peak_radius))));
-                const float weight = 2.0f * static_cast<float>(pi) / azimuths;
-                for (int k = 0; k <= layout.degree; ++k) add_scaled(by_order[static_cast<std::size_t>(k)], radiance, weight * static_cast<float>(std::cos(k * phi)));
+                RadianceSpectrum radiance = ray.multiple(air_, transmittance_, what, static_cast<float>(mu_s), static_cast<float>(nu));
+                if (what.single) radiance += single_light(ray, {altitude(i_h), angle.mu, mu_s, nu}, [nu](const SpectralPhase& phase) { return phase.at(std::min(nu, std::cos(peak_radius))); });
+                for (int k = 0; k <= layout.degree; ++k) add_scaled(by_order[static_cast<std::size_t>(k)], radiance, azimuth_weights_[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)]);
             }
             if (angle.mu > 0.0)
                 for (int w = 0; w < pack_size; ++w) on_level.v[w] += by_order[0].v[w] * angle.weight * static_cast<float>(angle.mu);
@@ -245,20 +251,35 @@ private:
         }
     }
 
+    // Light scattered once along a ray, each constituent's by `phase_of` its phase function. A ray that the shadow's edge
+    // crosses is cut there, at its price.
+    template <class PhaseOf>
+    RadianceSpectrum single_light(const PreparedRay& prepared, const Ray& ray, PhaseOf phase_of) const {
+        const auto mu_s = static_cast<float>(ray.mu_s);
+        const auto nu = static_cast<float>(ray.nu);
+        RadianceSpectrum radiance = zero<RadianceSpectrum>();
+        const PreparedRay::Lit lit = prepared.lit(air_, mu_s, nu);
+        if (lit == PreparedRay::Lit::nothing) return radiance;
+        std::array<IrradianceSpectrum, max_parts> single;
+        if (lit == PreparedRay::Lit::all) {
+            prepared.single(air_, transmittance_, mu_s, nu, single);
+        } else {
+            RayNodes nodes;
+            sample_ray(air_.shell, ray, air_.densities, air_.free_path_at(static_cast<float>(ray.altitude_m)), nodes_per_piece, nodes);
+            single = gather(air_, transmittance_, {.single = true, .source = nullptr, .diffuse_on_ground = nullptr, .direct_on_ground = false}, nodes, nu).single;
+        }
+        for (std::size_t p = 0; p < optics_.parts.size(); ++p)
+            if (optics_.parts[p].scatters) radiance += single[p] * narrowed(phase_of(optics_.parts[p].phase));
+        return radiance;
+    }
+
     // Single scattering near the sun, as far as phase functions stand above their value at the disk's edge.
     void add_peak(int i_h, int i_s, Coefficients& light, IrradianceSpectrum& on_level) const {
-        const double h = altitude(i_h);
-        const double mu_s = sun(i_s);
-        const double free_path = air_.free_path_at(static_cast<float>(h));
-        const Gathered what{.single = true, .source = nullptr, .diffuse_on_ground = nullptr, .direct_on_ground = false};
-        RayNodes nodes;
         for (const PeakRule::Direction& direction : peaks_[static_cast<std::size_t>(i_s)].directions) {
-            sample_ray(air_.shell, {h, direction.mu, mu_s, direction.nu}, air_.densities, free_path, nodes_per_piece, nodes);
-            const RayLight seen = gather(air_, transmittance_, what, nodes, static_cast<float>(direction.nu));
-            RadianceSpectrum radiance = zero<RadianceSpectrum>();
-            for (std::size_t p = 0; p < optics_.parts.size(); ++p)
-                if (optics_.parts[p].scatters)
-                    radiance += seen.single[p] * narrowed(optics_.parts[p].phase.at(direction.nu) - optics_.parts[p].phase.at(std::cos(peak_radius)));
+            const PreparedRay ray(air_, altitude(i_h), direction.mu, nodes_per_piece, source_size());
+            const RadianceSpectrum radiance = single_light(ray, {altitude(i_h), direction.mu, sun(i_s), direction.nu}, [&](const SpectralPhase& phase) {
+                return phase.at(direction.nu) - phase.at(std::cos(peak_radius));
+            });
             if (direction.mu > 0.0)
                 for (int w = 0; w < pack_size; ++w) on_level.v[w] += radiance.v[w] * direction.weight * static_cast<float>(direction.mu);
             for (std::size_t c = 0; c < light.size(); ++c) add_scaled(light[c], radiance, direction.weight * direction.harmonic[c]);
@@ -277,9 +298,8 @@ private:
                 }
             }
             for (int j = 0; j < sizes_.azimuth; ++j) {
-                const double phi = std::acos(f64::azimuth_cosine_of_coordinate(static_cast<double>(j) / (sizes_.azimuth - 1)).value);
                 RadianceSpectrum sum = zero<RadianceSpectrum>();
-                for (int k = 0; k <= layout.degree; ++k) add_scaled(sum, by_order[static_cast<std::size_t>(k)], static_cast<float>(std::cos(k * phi)));
+                for (int k = 0; k <= layout.degree; ++k) add_scaled(sum, by_order[static_cast<std::size_t>(k)], texel_cosines_[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)]);
                 next[{i_s, j, i, i_h}] = max(sum, zero<RadianceSpectrum>());  // a cut series may ring below zero in the dark
             }
         }
@@ -309,8 +329,11 @@ private:
     Table<f32::Spectrum, 2> transmittance_;
     std::vector<std::vector<f64::Spectrum>> moments_;          // [part][degree + 1], of its phase function
     std::vector<ViewRule> views_;                              // [altitude]
+    std::vector<std::vector<PreparedRay>> rays_;               // [altitude][view angle]
+    std::array<std::array<float, layout.degree + 1>, azimuths> azimuth_weights_;  // cos(k phi) times the share of a turn
     std::vector<std::vector<f32::Spectrum>> scattering_factors_;  // [altitude][degree + 1]
     std::vector<PeakRule> peaks_;                              // [sun]
+    std::vector<std::array<float, layout.degree + 1>> texel_cosines_;  // [azimuth], cos(k phi)
     std::vector<std::vector<float>> texel_legendre_;           // [view][layout.count()]
 };
 

@@ -34,9 +34,7 @@ float disk_above(float x) {
 }  // namespace
 
 f32::Spectrum transmittance_of(const PackAir& air, const float* columns_m) {
-    f32::Spectrum depth = zero<f32::Spectrum>();
-    for (int p = 0; p < air.parts; ++p) depth += air.extinction[static_cast<std::size_t>(p)] * f32::Length::of(columns_m[p]);
-    return exp(-depth);
+    return exp(-weighted_sum(air.extinction, columns_m, air.parts) * f32::m);
 }
 
 float PackAir::free_path_at(float altitude_m) const {
@@ -108,59 +106,6 @@ f32::IrradianceSpectrum direct_irradiance(const PackAir& air, const Table<f32::S
     const float facing = mu_s >= radius ? mu_s : std::max(0.0f, 0.5f * (mu_s + radius));
     if (facing == 0.0f) return zero<f32::IrradianceSpectrum>();
     return air.solar_irradiance * sun_transmittance(air, transmittance, altitude_m, mu_s) * f32::Number(facing);
-}
-
-namespace {
-
-AIRLIGHT_INLINE f32::RadianceSpectrum source_at(const PackAir& air, const Table<f32::RadianceSpectrum, 4>& source, const RayNodes& nodes, int n, float nu) {
-    const f32::Number mu = nodes.mu[n];
-    const f32::Number mu_s = nodes.mu_s[n];
-    const auto& size = source.size();
-    return source.look_up({f32::texture_coordinate(f32::sun_coordinate(mu_s), size[0]).value,
-                           f32::texture_coordinate(f32::azimuth_coordinate(f32::relative_azimuth_cosine(mu, mu_s, nu)), size[1]).value,
-                           f32::texture_coordinate(f32::view_coordinate(mu), size[2]).value,
-                           f32::texture_coordinate(f32::altitude_coordinate(f32::Length::of(nodes.altitude_m[n]), metres(air.shell.top_m)), size[3]).value});
-}
-
-// Light that the ground sends up where the ray ends, per unit of albedo / pi.
-f32::IrradianceSpectrum light_on_ground(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, const Gathered& what, float mu_s) {
-    f32::IrradianceSpectrum sum = zero<f32::IrradianceSpectrum>();
-    if (what.direct_on_ground) sum += direct_irradiance(air, transmittance, 0.0f, mu_s);
-    if (what.diffuse_on_ground) {
-        const auto& size = what.diffuse_on_ground->size();
-        sum += what.diffuse_on_ground->look_up({f32::texture_coordinate(f32::sun_coordinate(mu_s), size[0]).value, f32::texture_coordinate(0.0, size[1]).value});
-    }
-    return sum;
-}
-
-}  // namespace
-
-RayLight gather(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, const Gathered& what, const RayNodes& nodes, float nu) {
-    RayLight light;
-    light.multiple = zero<f32::RadianceSpectrum>();
-    for (int p = 0; p < air.parts; ++p) light.single[static_cast<std::size_t>(p)] = zero<f32::IrradianceSpectrum>();
-    for (int n = 0; n < nodes.count; ++n) {
-        const f32::Spectrum seen = transmittance_of(air, nodes.column_m[n]);
-        const float* density = nodes.density[n];
-        const f32::Length step = f32::Length::of(nodes.length_m[n]);
-        if (what.single) {
-            const f32::Spectrum lit = sun_transmittance(air, transmittance, nodes.altitude_m[n], nodes.mu_s[n]);
-            const f32::LengthSpectrum weight = seen * lit * step;
-            for (int p = 0; p < air.parts; ++p) {
-                const auto i = static_cast<std::size_t>(p);
-                light.single[i] += weight * air.scattering[i] * air.solar_irradiance * f32::Number(density[p]);
-            }
-        }
-        if (what.source) {
-            f32::ScatteringSpectrum scattering = zero<f32::ScatteringSpectrum>();
-            for (int p = 0; p < air.parts; ++p) scattering += air.scattering[static_cast<std::size_t>(p)] * f32::Number(density[p]);
-            light.multiple += source_at(air, *what.source, nodes, n, nu) * scattering * (seen * step);
-        }
-    }
-    light.transmittance = transmittance_of(air, nodes.total_column_m);
-    if (nodes.meets_ground && (what.direct_on_ground || what.diffuse_on_ground))
-        light.multiple += light_on_ground(air, transmittance, what, nodes.end_mu_s) * air.ground_albedo * light.transmittance * (1.0 / f32::pi * f32::per_sr);
-    return light;
 }
 
 }  // namespace airlight

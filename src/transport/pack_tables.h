@@ -1,4 +1,4 @@
-// What a bake leaves for sixteen wavelengths, and the light along a ray that is read from it.
+// What a bake leaves for sixteen wavelengths, and sunlight as it is read from it.
 // Theory: docs/theory.md, section 5. Uses tables, ray nodes and physics (f32).
 #pragma once
 
@@ -36,6 +36,30 @@ struct PackTables {
     Table<f32::IrradianceSpectrum, 2> irradiance;  // [sun][altitude]: diffuse, on a level surface facing up
 };
 
+// The sum over parts of spectrum times amount. One loop for each number of parts: with a number not known when compiling,
+// the compiler fills vector registers with parts instead of wavelengths (4 times slower).
+template <int P, class S>
+AIRLIGHT_INLINE S weighted_sum_of(const std::array<S, max_parts>& spectra, const float* amounts) {
+    S sum;
+    for (int w = 0; w < pack_size; ++w) sum.v[w] = spectra[0].v[w] * amounts[0];
+    for (std::size_t p = 1; p < P; ++p)
+        for (int w = 0; w < pack_size; ++w) sum.v[w] += spectra[p].v[w] * amounts[p];
+    return sum;
+}
+template <class S>
+AIRLIGHT_INLINE S weighted_sum(const std::array<S, max_parts>& spectra, const float* amounts, int parts) {
+    switch (parts) {
+        case 1: return weighted_sum_of<1>(spectra, amounts);
+        case 2: return weighted_sum_of<2>(spectra, amounts);
+        case 3: return weighted_sum_of<3>(spectra, amounts);
+        case 4: return weighted_sum_of<4>(spectra, amounts);
+        case 5: return weighted_sum_of<5>(spectra, amounts);
+        case 6: return weighted_sum_of<6>(spectra, amounts);
+        case 7: return weighted_sum_of<7>(spectra, amounts);
+        default: return weighted_sum_of<max_parts>(spectra, amounts);
+    }
+}
+
 // Transmittance from a point to the sun, times the part of its disk that stands above the horizon.
 f32::Spectrum sun_transmittance(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, float altitude_m, float mu_s);
 
@@ -47,23 +71,5 @@ f32::Spectrum transmittance_of(const PackAir& air, const float* columns_m);
 
 // The transmittance table of an atmosphere.
 Table<f32::Spectrum, 2> transmittance_table(const PackAir& air, const TableSizes& sizes);
-
-// Light that reaches the start of a ray, apart from the sun's disk itself.
-struct RayLight {
-    f32::RadianceSpectrum multiple;                               // two and more scatterings, and light from the ground
-    std::array<f32::IrradianceSpectrum, max_parts> single;        // one scattering in each constituent; times its phase function it is radiance
-    f32::Spectrum transmittance;                                  // to the end of the ray
-};
-
-// What the light along a ray is gathered from.
-struct Gathered {
-    bool single = true;
-    const Table<f32::RadianceSpectrum, 4>* source = nullptr;             // of higher orders; null: none
-    const Table<f32::IrradianceSpectrum, 2>* diffuse_on_ground = nullptr;  // null: none
-    bool direct_on_ground = true;
-};
-
-// Integrates along `nodes`, a ray whose cosine to the sun is `nu`.
-RayLight gather(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, const Gathered& what, const RayNodes& nodes, float nu);
 
 }  // namespace airlight

@@ -129,6 +129,7 @@ void add_piece(const Shell& shell, const Ray& ray, const Path& path, double x_a,
         nodes.altitude_m[n] = static_cast<float>(h);
         nodes.mu[n] = static_cast<float>(std::clamp((rises ? x : -x) / (shell.bottom_m + h), -1.0, 1.0));
         nodes.mu_s[n] = static_cast<float>(std::clamp((path.r0 * ray.mu_s + ray.nu * t) / (shell.bottom_m + h), -1.0, 1.0));
+        nodes.distance_m[n] = static_cast<float>(t);
         nodes.length_m[n] = static_cast<float>(rule.weight[i] * slope);
         densities.at(nodes.altitude_m[n], nodes.density[n]);
         for (int p = 0; p < densities.parts(); ++p) nodes.column_m[n][p] = static_cast<float>(slope) * nodes.density[n][p];
@@ -167,8 +168,9 @@ void sample_ray(const Shell& shell, const Ray& ray, const DensityTable& densitie
     }
 
     const Path path{shell.bottom_m, shell.bottom_m + ray.altitude_m, ray.altitude_m, (shell.bottom_m + ray.altitude_m) * ray.mu};
-    const double end_radius = shell.bottom_m + path.altitude(path.x0 + length);
-    nodes.end_mu_s = static_cast<float>(std::clamp((path.r0 * ray.mu_s + ray.nu * length) / end_radius, -1.0, 1.0));
+    nodes.end_distance_m = static_cast<float>(length);
+    nodes.end_altitude_m = static_cast<float>(path.altitude(path.x0 + length));
+    nodes.end_mu_s = static_cast<float>(std::clamp((path.r0 * ray.mu_s + ray.nu * length) / (shell.bottom_m + path.altitude(path.x0 + length)), -1.0, 1.0));
     std::fill(nodes.total_column_m, nodes.total_column_m + max_parts, 0.0f);
     if (!(length > 0.0)) return;
 

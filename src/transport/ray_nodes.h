@@ -32,10 +32,13 @@ struct RayNodes {
 
     int count = 0;
     bool meets_ground = false;             // before its limit
+    float end_distance_m = 0.0f;
+    float end_altitude_m = 0.0f;
     float end_mu_s = 0.0f;                 // cosine of the sun's zenith angle where the ray ends
     float altitude_m[capacity];
     float mu[capacity];                    // of the ray itself
     float mu_s[capacity];
+    float distance_m[capacity];            // from the start
     float length_m[capacity];              // the quadrature weight
     float density[capacity][max_parts];
     float column_m[capacity][max_parts];   // integral of the density from the start to the node

@@ -53,16 +53,21 @@ public:
 
     // The multilinear interpolation at texture coordinates: a sum over 2^D cells.
     AIRLIGHT_INLINE Cell look_up(std::array<float, D> coordinates) const {
-        std::array<Texels, D> at;
-        for (std::size_t d = 0; d < D; ++d) at[d] = texels_at(coordinates[d], size_[d]);
-        Cell sum(typename Cell::Scalar(Cell::Scalar::of(0.0f)));
+        std::array<Texels, D> places;
+        for (std::size_t d = 0; d < D; ++d) places[d] = texels_at(coordinates[d], size_[d]);
+        return at(places);
+    }
+
+    // The same between texels that were found before.
+    AIRLIGHT_INLINE Cell at(const std::array<Texels, D>& places) const {
+        Cell sum(Cell::Scalar::of(0.0f));
         for (unsigned corner = 0; corner < (1u << D); ++corner) {
             float weight = 1.0f;
             std::array<int, D> i;
             for (std::size_t d = 0; d < D; ++d) {
                 const bool high = (corner >> d) & 1u;
-                weight *= high ? at[d].weight : 1.0f - at[d].weight;
-                i[d] = high ? at[d].high : at[d].low;
+                weight *= high ? places[d].weight : 1.0f - places[d].weight;
+                i[d] = high ? places[d].high : places[d].low;
             }
             const Cell& cell = cells_[index(i)];
             for (int w = 0; w < Cell::size; ++w) sum.v[w] += weight * cell.v[w];

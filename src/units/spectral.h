@@ -103,7 +103,7 @@ using SpectralOf = typename SpectralOfQuantity<Scalar, N>::Type;
 AIRLIGHT_INLINE float fast_exp(float x) {
     const float clamped = x < -87.0f ? -87.0f : (x > 88.0f ? 88.0f : x);
     const float t = clamped * 1.44269504f;
-    const int k = static_cast<int>(t + (t < 0.0f ? -0.5f : 0.5f));
+    const int k = static_cast<int>(t + 127.5f) - 127;  // rounds by cutting: t + 127.5 is above zero, and there is no branch
     const float kf = static_cast<float>(k);
     const float f = (clamped - kf * 0.693359375f) + kf * 2.12194440e-4f;
     float p = 1.0f / 5040.0f;
@@ -121,7 +121,7 @@ AIRLIGHT_INLINE double fast_exp(double x) {
     const double clamped = x < -708.0 ? -708.0 : (x > 709.0 ? 709.0 : x);
     const double t = clamped * 1.4426950408889634;
     // Through int, not long: AVX2 converts doubles only to 32-bit integers.
-    const int k = static_cast<int>(t + (t < 0.0 ? -0.5 : 0.5));
+    const int k = static_cast<int>(t + 1023.5) - 1023;
     const double kf = static_cast<double>(k);
     const double f = (clamped - kf * 6.93147180369123816490e-01) - kf * 1.90821492927058770002e-10;
     double p = 1.0 / 6227020800.0;
