@@ -2,8 +2,8 @@
 
 namespace airlight {
 
-ReferenceSky::ReferenceSky(Reference reference, ReferenceSettings settings, Progress progress)
-    : reference_(std::move(reference)), settings_(settings), progress_(std::move(progress)) {}
+ReferenceSky::ReferenceSky(Reference reference, Length bottom_radius, ReferenceSettings settings, Progress progress)
+    : reference_(std::move(reference)), bottom_radius_(bottom_radius), settings_(settings), progress_(std::move(progress)) {}
 
 Result<RadianceEstimate> ReferenceSky::radiance(const View& view) const {
     if (const Result<Done> ok = check_view(view.altitude, view.view_zenith, view.sun_zenith, view.relative_azimuth); !ok) return ok.error();

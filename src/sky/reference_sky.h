@@ -8,7 +8,8 @@ namespace airlight {
 class ReferenceSky : public Sky {
 public:
     // `progress` is asked to stop, and told, during each question.
-    ReferenceSky(Reference reference, ReferenceSettings settings, Progress progress = {});
+    // `bottom_radius`: of the atmosphere that the reference was made of.
+    ReferenceSky(Reference reference, Length bottom_radius, ReferenceSettings settings, Progress progress = {});
 
     std::string name() const override { return "reference"; }
     std::span<const Wavelength> wavelengths() const override { return reference_.wavelengths(); }
@@ -17,7 +18,10 @@ public:
     Result<std::vector<double>> transmittance(Length altitude, double view_zenith, Length distance) const override;
 
 private:
+    Length bottom_radius() const override { return bottom_radius_; }
+
     Reference reference_;
+    Length bottom_radius_;
     ReferenceSettings settings_;
     Progress progress_;
 };

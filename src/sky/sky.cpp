@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "physics/f64.h"
+
 namespace airlight {
 
 namespace {
@@ -32,6 +34,12 @@ Result<std::unique_ptr<SkyDome>> Sky::dome(Length altitude, double sun_zenith) c
     // One question tells whether the model can answer for this eye and sun.
     if (const Result<RadianceEstimate> seen = radiance({altitude, 0.25 * pi, sun_zenith, 0.5 * pi}); !seen) return seen.error();
     return std::unique_ptr<SkyDome>(std::make_unique<DirectDome>(*this, altitude, sun_zenith));
+}
+
+Result<std::vector<double>> Sky::sunlight_transmittance(Length altitude, double view_zenith) const {
+    const f64::Length h = f64::Length::of(altitude.value);
+    if (f64::meets_ground(h, std::cos(view_zenith), f64::Length::of(bottom_radius().value))) return std::vector<double>(wavelengths().size(), 0.0);
+    return transmittance(altitude, view_zenith, 1e12 * m);
 }
 
 std::vector<double> sun_disk_radiance(const Sun& sun, std::span<const Wavelength> wavelengths, double angle) {

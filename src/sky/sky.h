@@ -42,8 +42,15 @@ public:
     // Transmittance from the eye over a distance, or to where the ray leaves the air or meets the ground: [N].
     virtual Result<std::vector<double>> transmittance(Length altitude, double view_zenith, Length distance) const = 0;
 
+    // Transmittance from the eye to the sun's disk in a direction: [N]; zeros where the ground stands before it.
+    Result<std::vector<double>> sunlight_transmittance(Length altitude, double view_zenith) const;
+
     // The sky around one eye. The default asks radiance() for each direction.
     virtual Result<std::unique_ptr<SkyDome>> dome(Length altitude, double sun_zenith) const;
+
+protected:
+    // Of the ground sphere.
+    virtual Length bottom_radius() const = 0;
 };
 
 // Radiance of the sun's disk at an angle from its centre (radians), seen from above the atmosphere: [N]; zeros beyond its edge.

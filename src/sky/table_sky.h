@@ -21,6 +21,8 @@ public:
     Result<std::unique_ptr<SkyDome>> dome(Length altitude, double sun_zenith) const override;
 
 private:
+    Length bottom_radius() const override { return tables_->atmosphere().bottom_radius; }
+
     std::shared_ptr<const Tables> tables_;
 };
 

@@ -116,7 +116,7 @@ TEST_CASE("Beer and Lambert: transmittance over two legs is the product of the l
 }
 
 TEST_CASE("the sky of tables has the transmittance of the reference") {
-    const ReferenceSky truth(*Reference::of(hazy_earth(), wavelengths), {});
+    const ReferenceSky truth(*Reference::of(hazy_earth(), wavelengths), hazy_earth().bottom_radius, {});
     for (const double altitude : {0.0, 3000.0, 50'000.0, 400'000.0})
         for (const double z : {0.0, 60.0, 89.0, 91.0, 100.0, 109.0, 130.0, 180.0})
             for (const double distance : {1e3, 3e4, 1e7}) {
