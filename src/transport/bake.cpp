@@ -230,7 +230,7 @@ private:
     void add_all_directions(const Gathered& what, int i_h, int i_s, Coefficients& light, IrradianceSpectrum& on_level) const {
         const double mu_s = sun(i_s);
         std::array<RadianceSpectrum, layout.degree + 1> by_order;
-        for (std::size_t i = 0; i < view_angles; ++i) {
+        for (std::size_t i = 0; i < views_[static_cast<std::size_t>(i_h)].angles.size(); ++i) {
             const ViewRule::Angle& angle = views_[static_cast<std::size_t>(i_h)].angles[i];
             const PreparedRay& ray = rays_[static_cast<std::size_t>(i_h)][i];
             by_order.fill(zero<RadianceSpectrum>());
