@@ -27,6 +27,7 @@ public:
     std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
 };
 
+Command atmosphere_command(CLI::App& airlight);
 Command bake_command(CLI::App& airlight);
 Command mie_command(CLI::App& airlight);
 Command sun_command(CLI::App& airlight);

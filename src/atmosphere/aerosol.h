@@ -6,6 +6,7 @@
 
 #include "atmosphere/atmosphere.h"
 #include "atmosphere/constituents.h"
+#include "optics/aerosol.h"
 
 namespace airlight {
 
@@ -14,10 +15,25 @@ struct AerosolMatter {
     SpectrumOf<Number> extinction = SpectrumOf<Number>::constant(1.0);
     SpectrumOf<Number> single_scattering_albedo = SpectrumOf<Number>::constant(1.0);
     PhaseFunction phase = IsotropicPhase{};
+    InverseLength typical_extinction_550 = 0.0 * per_m;  // at the ground, where such aerosol is at home; 0 if not known
 };
+
+inline constexpr double usual_relative_humidity = 50.0;  // percent; OPAC's numbers of particles are given for it
+
+// OPAC's aerosol at 16 wavelengths from 300 to 1000 nm; relative_humidity in percent, 0 to 99. Fails if it is not.
+Result<AerosolMatter> opac_matter(AerosolType type, double relative_humidity);
+
+// Its typical_extinction_550 alone, sixteen times faster.
+Result<InverseLength> opac_extinction_550(AerosolType type, double relative_humidity);
+
+// The layer in which OPAC has it.
+DensityProfile opac_profile(AerosolType type);
 
 // Extinction that falls with the power `alpha` of wavelength, 300 to 1000 nm. [Angstrom1929]
 SpectrumOf<Number> angstrom_extinction(double alpha);
+
+// Extinction times the distance at which a black object's contrast has fallen to 0.02: ln 50. [Koschmieder1924]
+inline constexpr double koschmieder = 3.912023005428146;
 
 // How much: one of these.
 struct OpticalDepth550 {
@@ -36,7 +52,10 @@ struct AngstromAmount {
 struct GroundExtinction550 {
     InverseLength value;  // where the profile is 1, >= 0
 };
-using AerosolAmount = std::variant<OpticalDepth550, Visibility, Turbidity, AngstromAmount, GroundExtinction550>;
+struct TypicalAmount {
+    double factor;  // times the matter's typical extinction, >= 0
+};
+using AerosolAmount = std::variant<OpticalDepth550, Visibility, Turbidity, AngstromAmount, GroundExtinction550, TypicalAmount>;
 
 // The aerosol that leaves this amount in an atmosphere of air `molecules` and height `top`.
 // Fails if the amount is out of its range, or less than clean air alone gives (a visibility beyond that of air).

@@ -15,6 +15,10 @@ namespace airlight {
 
 namespace {
 
+using Names = std::vector<std::string>;
+
+bool contains(const Names& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
+
 void read_planet(TomlInput& file, Atmosphere& a, bool has_base) {
     auto planet = file.table("planet");
     if (!planet) {
@@ -90,8 +94,8 @@ void remove_named(TomlInput& file, Atmosphere& a) {
 }
 
 // The names by which errors and later files call the constituents of this one: its name, or else its kind.
-std::vector<std::string> name_constituents(std::vector<TomlInput>& tables) {
-    std::vector<std::string> names;
+Names name_constituents(std::vector<TomlInput>& tables) {
+    Names names;
     for (TomlInput& table : tables) {
         const std::string kind = table.is_text("kind") ? *table.text("kind") : "constituent";
         names.push_back(table.is_text("name") ? *table.text("name") : kind);
@@ -103,28 +107,36 @@ std::vector<std::string> name_constituents(std::vector<TomlInput>& tables) {
 
 // Aerosols are made last, for their amount may depend on the air. Those of the base that the file does not name come
 // first, then the file's, in its order.
-void read_constituents(TomlInput& file, Atmosphere& a) {
-    std::vector<TomlInput> tables = file.tables("constituent");
+void read_constituents(TomlInput& file, Atmosphere& a, std::vector<TomlInput> tables, const Names& replaced) {
     if (tables.size() > max_constituents) file.refuse("constituent", fmt::format("there must be at most {}", max_constituents), "Join those that have the same profile.");
-    const std::vector<std::string> names = name_constituents(tables);
-    std::erase_if(a.constituents, [&](const Constituent& c) { return std::count(names.begin(), names.end(), c.name) > 0; });
+    const Names names = name_constituents(tables);
+    std::erase_if(a.constituents, [&](const Constituent& c) { return contains(names, c.name); });
     if (file.failed()) return;
 
     const auto is_aerosol = [](TomlInput& table) { return table.is_text("kind") && *table.text("kind") == "aerosol"; };
     std::vector<std::optional<Constituent>> made(tables.size());
     for (std::size_t i = 0; i < tables.size(); ++i)
-        if (!is_aerosol(tables[i])) made[i] = read_constituent(tables[i]);
+        if (!is_aerosol(tables[i]) && !contains(replaced, names[i])) made[i] = read_constituent(tables[i]);
     Atmosphere gases = a;
     for (const auto& gas : made)
         if (gas) gases.constituents.push_back(*gas);
     const MolecularAir molecules = file.failed() ? MolecularAir{} : molecular_air(gases, 550.0 * nm);
     for (std::size_t i = 0; i < tables.size() && !file.failed(); ++i)
-        if (is_aerosol(tables[i])) made[i] = read_aerosol(tables[i], molecules, a.top_altitude);
+        if (is_aerosol(tables[i]) && !contains(replaced, names[i])) made[i] = read_aerosol(tables[i], molecules, a.top_altitude);
     for (auto& constituent : made)
         if (constituent) a.constituents.push_back(std::move(*constituent));
 }
 
-Atmosphere read_base(TomlInput& file, bool& has_base) {
+Result<Atmosphere> read_table(const toml::table& root, std::string_view name, const Names& replaced);
+
+// The preset that the file starts from, without the constituents that the file replaces: aerosols take time to make.
+Result<Atmosphere> preset_without(std::string_view name, const Names& replaced) {
+    const Result<std::string_view> text = preset_text(name);
+    if (!text) return text.error();
+    return read_table(toml::parse(*text), name, replaced);
+}
+
+Atmosphere read_base(TomlInput& file, bool& has_base, const Names& replaced) {
     Atmosphere a;
     a.bottom_radius = 0.0 * m;
     a.top_altitude = 0.0 * m;
@@ -132,7 +144,7 @@ Atmosphere read_base(TomlInput& file, bool& has_base) {
     const auto base = file.text("base");
     has_base = base.has_value();
     if (!base) return a;
-    const Result<Atmosphere> found = preset(*base);
+    const Result<Atmosphere> found = preset_without(*base, replaced);
     if (found) return *found;
     file.refuse("base", found.error().what, found.error().remedy);
     return a;
@@ -154,17 +166,21 @@ unsigned line_of_key(const toml::table& root, std::string_view key) {
     return static_cast<unsigned>(node ? node->source().begin.line : table->source().begin.line);
 }
 
-Result<Atmosphere> read_table(const toml::table& root, std::string_view name) {
+// `replaced`: names of constituents that whoever starts from this table has replaced; they are left out.
+Result<Atmosphere> read_table(const toml::table& root, std::string_view name, const Names& replaced) {
     TomlFailure failure{std::string(name), {}};
     TomlInput file(root, "", failure);
     bool has_base = false;
-    Atmosphere a = read_base(file, has_base);
+    std::vector<TomlInput> tables = file.tables("constituent");
+    Names named = name_constituents(tables);
+    named.insert(named.end(), replaced.begin(), replaced.end());
+    Atmosphere a = read_base(file, has_base, named);
     if (const auto title = file.text("name")) a.name = *title;
     read_planet(file, a, has_base);
     read_ground(file, a);
     read_sun(file, a);
     remove_named(file, a);
-    if (!failure.first) read_constituents(file, a);
+    if (!failure.first) read_constituents(file, a, std::move(tables), replaced);
     file.refuse_unknown_keys();
     if (failure.first) return *failure.first;
     const auto broken = broken_rule(a);
@@ -177,7 +193,7 @@ Result<Atmosphere> read_table(const toml::table& root, std::string_view name) {
 
 Result<Atmosphere> parse_atmosphere(std::string_view toml, std::string_view file) {
     try {
-        return read_table(toml::parse(toml), file);
+        return read_table(toml::parse(toml), file, {});
     } catch (const toml::parse_error& error) {  // toml++ is built to throw; no exception leaves this function
         return Error{fmt::format("{}:{}", file, error.source().begin.line), fmt::format("it is not TOML: {}", error.description()), "See docs/atmosphere-file.md."};
     }

@@ -1,5 +1,5 @@
 // Coefficients and vertical optical depths of an atmosphere and of its constituents.
-// Theory: docs/theory.md, section 2, eqs. 2.5 to 2.7. Uses the description only.
+// Theory: docs/theory.md, section 2, eq. 8. Uses the description only.
 #pragma once
 
 #include "atmosphere/atmosphere.h"

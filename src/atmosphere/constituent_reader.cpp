@@ -23,6 +23,10 @@ std::optional<GasInput> read_gas_profile(TomlInput& input, Gas gas) {
     if (!input.has("profile") || input.is_text("profile")) return GasInput{gas_profile(*levels, gas).profile, *levels};
     const auto profile = read_profile(input, "profile");
     if (!profile) return {};
+    if (!is_column_depth(column_depth(*profile, above_all_air))) {
+        input.refuse("profile", column_depth_rule, "");
+        return {};
+    }
     return GasInput{*profile, *levels};
 }
 
@@ -108,7 +112,7 @@ std::optional<AerosolAmount> read_angstrom(TomlInput& amount) {
     return AngstromAmount{*alpha, *beta};
 }
 
-constexpr std::string_view amount_remedy = "Give one of: optical_depth_550 = 0.12, visibility = \"23 km\", turbidity = 3, angstrom = { alpha = 1.3, beta = 0.05 }, extinction_550 = \"1e-4 1/m\".";
+constexpr std::string_view amount_remedy = "Give one of: optical_depth_550 = 0.12, visibility = \"23 km\", turbidity = 3, angstrom = { alpha = 1.3, beta = 0.05 }, extinction_550 = \"1e-4 1/m\", times_typical = 1.";
 
 // Which key of the table was given, so that what is wrong with its value is said of it.
 struct AmountInput {
@@ -123,6 +127,7 @@ std::optional<AmountInput> read_amount(TomlInput& amount) {
     if (const auto x = amount.number("turbidity")) given.push_back({"turbidity", Turbidity{*x}});
     if (const auto x = read_angstrom(amount)) given.push_back({"angstrom", *x});
     if (const auto x = amount.inverse_length("extinction_550")) given.push_back({"extinction_550", GroundExtinction550{*x}});
+    if (const auto x = amount.number("times_typical")) given.push_back({"times_typical", TypicalAmount{*x}});
     amount.refuse_unknown_keys();
     if (amount.failed()) return {};
     if (given.size() == 1) return given.front();
@@ -136,7 +141,9 @@ std::optional<AmountInput> read_amount(TomlInput& amount) {
 // An aerosol without a type: all of its optics is given.
 std::optional<AerosolMatter> read_given_matter(TomlInput& input) {
     AerosolMatter matter;
-    matter.extinction = angstrom_extinction(input.number("alpha").value_or(1.3));
+    matter.extinction = angstrom_extinction(1.3);
+    const auto alpha = number_within(input, "alpha", -10.0, 10.0);
+    if (alpha) matter.extinction = angstrom_extinction(*alpha);
     if (!input.has("single_scattering_albedo")) input.refuse_missing("single_scattering_albedo", "Give it, such as 0.9, or give the type of the aerosol.");
     const auto albedo = read_numbers(input, "single_scattering_albedo");
     if (!input.has("phase")) input.refuse_missing("phase", "Give it, such as { kind = \"henyey_greenstein\", g = 0.76 }, or give the type of the aerosol.");
@@ -152,22 +159,68 @@ std::optional<AerosolMatter> read_given_matter(TomlInput& input) {
     return matter;
 }
 
+// One of OPAC's types: only the phase function may be given beside it, and then takes the place of Mie's.
+struct TypeInput {
+    AerosolType type;
+    AerosolMatter matter;
+};
+
+std::optional<TypeInput> read_typed_matter(TomlInput& input) {
+    const auto word = input.text("type");
+    const auto humidity = input.number("relative_humidity_percent");
+    const auto phase = input.has("phase") ? read_phase(input, "phase") : std::nullopt;
+    if (!word || input.failed()) return {};
+    const Result<AerosolType> type = parse_aerosol_type(*word);
+    if (!type) {
+        input.refuse("type", type.error().what, type.error().remedy);
+        return {};
+    }
+    Result<AerosolMatter> matter = opac_matter(*type, humidity.value_or(usual_relative_humidity));
+    if (!matter) {
+        input.refuse("relative_humidity_percent", matter.error().what, matter.error().remedy);
+        return {};
+    }
+    if (phase) matter->phase = *phase;
+    return TypeInput{*type, *std::move(matter)};
+}
+
+// How its density falls with altitude: as the file says, or else as OPAC has it for the type.
+std::optional<DensityProfile> read_aerosol_profile(TomlInput& input, const std::optional<AerosolType>& type) {
+    if (input.has("profile")) return read_profile(input, "profile");
+    if (type) return opac_profile(*type);
+    input.refuse_missing("profile", "Give its density by altitude, such as { kind = \"exponential\", scale_height = \"1.2 km\" }.");
+    return {};
+}
+
+std::optional<AmountInput> read_amount_table(TomlInput& input) {
+    auto table = input.table("amount");
+    if (!table && !input.has("amount")) input.refuse_missing("amount", amount_remedy);
+    if (!table) return {};
+    return read_amount(*table);
+}
+
 }  // namespace
 
 std::optional<Constituent> read_aerosol(TomlInput& input, const MolecularAir& molecules, Length top) {
     const auto name = input.text("name");
     input.text("kind");
-    const auto profile = read_profile(input, "profile");
-    if (!profile && !input.has("profile")) input.refuse_missing("profile", "Give its density by altitude, such as { kind = \"exponential\", scale_height = \"1.2 km\" }.");
-    const auto matter = read_given_matter(input);
-    auto amount_table = input.table("amount");
-    if (!amount_table && !input.has("amount")) input.refuse_missing("amount", amount_remedy);
-    const auto amount = amount_table ? read_amount(*amount_table) : std::nullopt;
+    std::optional<AerosolType> type;
+    std::optional<AerosolMatter> matter;
+    if (input.has("type")) {
+        if (auto typed = read_typed_matter(input)) {
+            type = typed->type;
+            matter = std::move(typed->matter);
+        }
+    } else {
+        matter = read_given_matter(input);
+    }
+    const auto profile = read_aerosol_profile(input, type);
+    const auto amount = read_amount_table(input);
     input.refuse_unknown_keys();
     if (!profile || !matter || !amount || input.failed()) return {};
     Result<Constituent> made = aerosol_constituent(*matter, *profile, amount->amount, molecules, top);
     if (!made) {
-        amount_table->refuse(amount->key, made.error().what, made.error().remedy);
+        input.table("amount")->refuse(amount->key, made.error().what, made.error().remedy);
         return {};
     }
     made->name = name.value_or("aerosol");

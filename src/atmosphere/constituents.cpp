@@ -10,8 +10,6 @@ namespace airlight {
 
 namespace {
 
-constexpr Length above_all_air = 1000.0 * km;
-
 // Between samples 2 nm apart a law that falls as the fourth power of wavelength is straight to 1e-4 at 300 nm.
 template <class Y, class Law>
 SpectrumOf<Y> sampled(Law law) {

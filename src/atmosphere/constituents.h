@@ -2,6 +2,8 @@
 // Theory: docs/theory.md, section 2. Uses optics (cross-sections) and the model atmospheres.
 #pragma once
 
+#include <string_view>
+
 #include "atmosphere/atmosphere.h"
 #include "atmosphere/model_atmosphere.h"
 
@@ -10,9 +12,16 @@ namespace airlight {
 inline constexpr double standard_pressure_hpa = 1013.25;
 inline constexpr double dobson_unit_per_m2 = 2.6867e20;  // molecules in 1e-5 m of gas at 0 deg C and 1013.25 hPa
 
+// Whether a column depth is one by which an amount can be divided: a profile must hold something, but not without end.
+constexpr bool is_column_depth(Length depth) { return depth >= 0.001 * m && depth <= 1e12 * m; }
+inline constexpr std::string_view column_depth_rule = "below the top it must hold as much as a layer from 1 mm to 1e9 km deep at density one";
+
 // Dry air over the whole spectrum of its formulas that this project uses: 300 to 1000 nm, every 2 nm.
+//   profile       whose column_depth() up to 1000 km passes is_column_depth(), here and below
 //   pressure_hpa  at the ground, > 0: the column holds the molecules that it stands for [Bodhaine1999, eq. 24 to 28]
 Constituent air_constituent(const DensityProfile& profile, double pressure_hpa = standard_pressure_hpa);
+
+inline constexpr Length above_all_air = 1000.0 * km;
 
 // Carbon dioxide whose number density is `reference` where the profile is 1.
 Constituent carbon_dioxide_constituent(const DensityProfile& profile, NumberDensity reference);

@@ -150,6 +150,9 @@ TEST_CASE("what is wrong in a file is said with its line, its key, its value and
          "visibility has said how much already"},
         {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = 1.9\nphase = { kind = \"isotropic\" }\namount = { turbidity = 2 }\n",
          "earth.toml:7: aerosol.single_scattering_albedo = 1.9: 1.9 is out of range: it must be from 0 to 1"},
+        {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = 0.9\nphase = { kind = \"isotropic\" }\namount = { angstrom = { alpha = 1, beta = 1e308 } }\n",
+         "earth.toml:9: aerosol.amount.angstrom = a table: a beta of 1e+308 is out of range: it must be from 0 to 1e6"},
+        {"[[constituent]]\nkind = \"air\"\nprofile = { kind = \"layer\", low = \"1e9 km\", high = \"2e9 km\" }\n", "earth.toml:6: air.profile = a table: below the top it must hold"},
         {"[ground]\nalbedo = 1.5\n", "earth.toml:5: ground.albedo = 1.5 is out of range: it must be from 0 to 1"},
         {"[ground]\nalbedo = \"gras\"\n", "earth.toml:5: ground.albedo = \"gras\": \"gras\" is no ground\n  Did you mean \"grass\"?"},
         {"[sun]\nspectrum = \"sun\"\n", "earth.toml:5: sun.spectrum = \"sun\": the only spectrum with a name"},
@@ -219,4 +222,17 @@ TEST_CASE("an aerosol has the optical depth, the visibility and the turbidity th
     CHECK(std::abs(depth(angstrom, 500.0 * nm) - 0.1 * std::pow(2.0, 1.3)) < 1e-9);
     CHECK(std::abs(extinction(made("extinction_550 = \"0.1 1/km\"").constituents[1], w).value - 1e-4) < 1e-12);
     CHECK(std::abs(single_scattering_albedo(angstrom.constituents[1], w) - 0.9) < 1e-12);
+}
+
+TEST_CASE("the examples of docs/atmosphere-file.md are atmospheres") {
+    const std::string text = *read_file(std::filesystem::path(AIRLIGHT_SOURCE_DIR) / "docs/atmosphere-file.md");
+    const std::string opening = "```toml\n";
+    int examples = 0;
+    for (std::size_t start = text.find(opening); start != std::string::npos; start = text.find(opening, start + 1)) {
+        const std::size_t first = start + opening.size();
+        const Result<Atmosphere> a = parse_atmosphere(text.substr(first, text.find("```", first) - first), "docs/atmosphere-file.md");
+        if (!a) FAIL(a.error().message());
+        ++examples;
+    }
+    CHECK(examples == 2);
 }
