@@ -2,16 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 
+#include "air_inputs.h"
 #include "atmosphere/atmosphere_file.h"
 #include "atmosphere/coefficients.h"
 #include "atmosphere/presets.h"
 #include "atmosphere/validate.h"
-#include "atmosphere/weather_to_atmosphere.h"
 #include "command.h"
-#include "core/files.h"
 #include "spectrum/wavelength_grid.h"
 #include "units/text.h"
 
@@ -20,55 +18,19 @@ namespace airlight::cli {
 namespace {
 
 struct AtmosphereOptions {
-    std::string name;
+    AirInputs air;
     bool list = false;
-    std::string metar;
-    std::string aerosol = "continental_average";
     std::string wavelengths = "450,550,650";
     std::string output;
 };
-
-struct Described {
-    Atmosphere atmosphere;
-    std::vector<std::string> comments;
-};
-
-constexpr std::size_t max_report_bytes = 1 << 16;
-
-// The report itself, or the text of the file that is named.
-Result<std::string> report_text(const std::string& text_or_path) {
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(text_or_path, ignored)) return read_file(text_or_path, max_report_bytes);
-    return text_or_path;
-}
-
-Result<Described> under_weather(Atmosphere base, const AtmosphereOptions& given) {
-    const Result<std::string> text = report_text(given.metar);
-    if (!text) return text.error();
-    const Result<Metar> report = parse_metar(*text);
-    if (!report) return at("--metar", report.error());
-    const Result<AerosolType> usual = parse_aerosol_type(given.aerosol);
-    if (!usual) return at("--aerosol", usual.error());
-    Result<AtmosphereUnderWeather> under = atmosphere_under(std::move(base), *report, {*usual});
-    if (!under) return under.error();
-    return Described{std::move(under->atmosphere), std::move(under->decisions)};
-}
-
-Result<Described> described(const AtmosphereOptions& given) {
-    if (given.name.empty()) return Error{"", "no atmosphere is named", "Name a preset or a file; `airlight atmosphere --list` shows the presets."};
-    Result<Atmosphere> base = atmosphere_named(given.name);
-    if (!base) return base.error();
-    if (given.metar.empty()) return Described{*std::move(base), {}};
-    return under_weather(*std::move(base), given);
-}
 
 void print_row(const std::string& name, Wavelength w, double depth, double albedo, double g, const std::string& column) {
     fmt::print("{},{},{:.5f},{:.4f},{:.4f},{}\n", name, w.in(nm), depth, albedo, g, column);
 }
 
-void print_summary(const Described& d, const WavelengthGrid& grid) {
+void print_summary(const AskedAir& d, const WavelengthGrid& grid) {
     const Atmosphere& a = d.atmosphere;
-    for (const std::string& line : d.comments) fmt::print("# {}\n", line);
+    for (const std::string& line : d.decisions) fmt::print("# {}\n", line);
     fmt::print("# {}: radius {}, air up to {}\n", a.name, length_text(a.bottom_radius), length_text(a.top_altitude));
     fmt::print("constituent,wavelength_nm,optical_depth,single_scattering_albedo,asymmetry,column_depth_km\n");
     for (const Constituent& c : a.constituents)
@@ -95,11 +57,12 @@ Result<Done> run(const AtmosphereOptions& given) {
     }
     const Result<WavelengthGrid> grid = parse_wavelength_grid(given.wavelengths);
     if (!grid) return at("--wavelengths", grid.error());
-    const Result<Described> d = described(given);
+    if (given.air.atmosphere.empty()) return Error{"", "no atmosphere is named", "Name a preset or a file; `airlight atmosphere --list` shows the presets."};
+    const Result<AskedAir> d = asked_air(given.air);
     if (!d) return d.error();
-    if (const auto covered = covers(d->atmosphere, grid->first(), grid->last()); !covered) return at(given.name, covered.error());
+    if (const auto covered = covers(d->atmosphere, grid->first(), grid->last()); !covered) return at(given.air.atmosphere, covered.error());
     if (!given.output.empty())
-        if (const auto written = write_atmosphere(given.output, d->atmosphere, d->comments); !written) return written.error();
+        if (const auto written = write_atmosphere(given.output, d->atmosphere, d->decisions); !written) return written.error();
     print_summary(*d, *grid);
     return Done{};
 }
@@ -109,10 +72,8 @@ Result<Done> run(const AtmosphereOptions& given) {
 Command atmosphere_command(CLI::App& airlight) {
     const auto given = std::make_shared<AtmosphereOptions>();
     CLI::App* atmosphere = airlight.add_subcommand("atmosphere", "Print what an atmosphere holds, and write it in full as a file.");
-    atmosphere->add_option("atmosphere", given->name, "a preset's name, or a file as docs/atmosphere-file.md describes it")->option_text("<preset|file>");
+    add_air_inputs(*atmosphere, given->air);
     atmosphere->add_flag("--list", given->list, "print the presets' names and stop");
-    atmosphere->add_option("--metar", given->metar, "the same air under the weather of this report: its text, or a file")->option_text("<text|file>");
-    atmosphere->add_option("--aerosol", given->aerosol, "what the place's aerosol is, where the report does not say")->option_text("<type>")->capture_default_str();
     atmosphere->add_option("--wavelengths", given->wavelengths, "in nm: 450,550,650 or 360:830:16 (first, last, count)")->option_text("<grid>")->capture_default_str();
     atmosphere->add_option("-o,--output", given->output, "write the description, every table in full")->option_text("<file.toml>");
     atmosphere->footer(help_footer(

@@ -30,6 +30,9 @@ public:
 Command atmosphere_command(CLI::App& airlight);
 Command bake_command(CLI::App& airlight);
 Command mie_command(CLI::App& airlight);
+Command models_command(CLI::App& airlight);
+Command probe_command(CLI::App& airlight);
+Command sky_command(CLI::App& airlight);
 Command sun_command(CLI::App& airlight);
 
 }  // namespace airlight::cli

@@ -56,6 +56,9 @@ int main(int argc, char** argv) {
         airlight::cli::atmosphere_command(app),
         airlight::cli::bake_command(app),
         airlight::cli::mie_command(app),
+        airlight::cli::models_command(app),
+        airlight::cli::probe_command(app),
+        airlight::cli::sky_command(app),
         airlight::cli::sun_command(app),
     };
     try {

@@ -42,6 +42,14 @@ std::vector<Length> kinks_of(const TabulatedProfile& p) {
     return altitudes;
 }
 
+std::vector<Length> jumps_of(const ExponentialProfile& p) { return kinks_of(p); }
+std::vector<Length> jumps_of(const LayerProfile& p) { return kinks_of(p); }
+std::vector<Length> jumps_of(const TriangleProfile&) { return {}; }
+std::vector<Length> jumps_of(const TabulatedProfile& p) {
+    const auto& last = p.densities.samples().back();
+    return last.y.value > 0.0 ? std::vector{last.x} : std::vector<Length>{};
+}
+
 }  // namespace
 
 double relative_density(const DensityProfile& profile, Length h) {
@@ -50,6 +58,10 @@ double relative_density(const DensityProfile& profile, Length h) {
 
 std::vector<Length> kinks(const DensityProfile& profile) {
     return std::visit([](const auto& p) { return kinks_of(p); }, profile);
+}
+
+std::vector<Length> jumps(const DensityProfile& profile) {
+    return std::visit([](const auto& p) { return jumps_of(p); }, profile);
 }
 
 Length column_depth(const DensityProfile& profile, Length top) {

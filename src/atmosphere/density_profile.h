@@ -47,6 +47,9 @@ double relative_density(const DensityProfile& profile, Length h);
 // The altitudes, increasing, at which the density or its slope jumps.
 std::vector<Length> kinks(const DensityProfile& profile);
 
+// The altitudes, increasing, at which the density itself jumps.
+std::vector<Length> jumps(const DensityProfile& profile);
+
 // The integral of the relative density over [0, top]: the depth of a layer of density one that holds as much.
 // Relative error below 1e-9.
 Length column_depth(const DensityProfile& profile, Length top);

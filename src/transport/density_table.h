@@ -25,6 +25,9 @@ public:
 
     int parts() const { return parts_; }
 
+    // Altitudes within the air, in metres, at which a density jumps: rays are cut there, for no rule integrates across a jump.
+    std::span<const double> jumps_m() const { return jumps_m_; }
+
     // The densities at `altitude_m`, one per constituent.
     AIRLIGHT_INLINE void at(float altitude_m, float* densities) const {
         const float x = __builtin_sqrtf(altitude_m > 0.0f ? altitude_m * inverse_top_ : 0.0f) * static_cast<float>(steps);
@@ -37,6 +40,7 @@ public:
 private:
     int parts_;
     float inverse_top_;
+    std::vector<double> jumps_m_;
     std::vector<float> values_;  // [steps + 1][parts]
 };
 

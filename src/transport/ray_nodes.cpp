@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -92,7 +93,7 @@ private:
     std::array<double, RayNodes::max_pieces - 1> inner_{};
 };
 
-Cuts cuts_of(const Shell& shell, const Ray& ray, const Path& path, double length, double free_path) {
+Cuts cuts_of(const Shell& shell, const Ray& ray, const Path& path, double length, double free_path, std::span<const double> jumps) {
     Cuts cuts(path.x0, path.x0 + length);
     cuts.add(0.0);
     // The shadow is a cylinder behind the planet: its axis points from the sun, its radius is the ground's.
@@ -104,6 +105,12 @@ Cuts cuts_of(const Shell& shell, const Ray& ray, const Path& path, double length
         const double root = std::sqrt(discriminant);
         for (const double t : {(-b - root) / a, (-b + root) / a})
             if (path.r0 * ray.mu_s + ray.nu * t < 0.0) cuts.add(path.x0 + t);
+    }
+    for (const double altitude : jumps) {
+        const double squared = path.x0 * path.x0 + (altitude - path.h0) * (2.0 * shell.bottom_m + altitude + path.h0);
+        if (squared <= 0.0) continue;
+        cuts.add(std::sqrt(squared));
+        cuts.add(-std::sqrt(squared));
     }
     for (const double t : {2.0 * free_path, 12.0 * free_path})
         if (t < 0.25 * length) cuts.add(path.x0 + t);
@@ -174,7 +181,7 @@ void sample_ray(const Shell& shell, const Ray& ray, const DensityTable& densitie
     std::fill(nodes.total_column_m, nodes.total_column_m + max_parts, 0.0f);
     if (!(length > 0.0)) return;
 
-    const Cuts cuts = cuts_of(shell, ray, path, length, free_path_m);
+    const Cuts cuts = cuts_of(shell, ray, path, length, free_path_m, densities.jumps_m());
     const PieceRule& rule = rule_of(nodes_per_piece);
     for (std::size_t i = 0; i < cuts.pieces(); ++i)
         add_piece(shell, ray, path, cuts.start(i), cuts.end(i), rule, densities, nodes.total_column_m, nodes);

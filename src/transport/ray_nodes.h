@@ -22,12 +22,12 @@ struct Ray {
     double limit_m = 1e300;  // where it ends, if it has not met the ground or left the air before
 };
 
-// A ray is cut at its perigee, where it enters or leaves the planet's shadow, and after one and a few mean free paths;
+// A ray is cut at its perigee, where it enters or leaves the planet's shadow, where a density jumps, and after some mean free paths;
 // within a piece the nodes crowd, in altitude, quadratically towards its lower end. So neither the thin haze at the ground
 // nor the first kilometres of a horizontal ray is stepped over, which steps of equal length do.
 struct RayNodes {
     static constexpr int max_per_piece = 24;
-    static constexpr int max_pieces = 6;
+    static constexpr int max_pieces = 10;
     static constexpr int capacity = max_per_piece * max_pieces;
 
     int count = 0;

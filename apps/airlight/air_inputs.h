@@ -1,0 +1,28 @@
+// What every command about air asks for: the air by name or file, and the weather report that changes it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "atmosphere/atmosphere.h"
+#include "core/result.h"
+
+namespace airlight::cli {
+
+struct AirInputs {
+    std::string atmosphere;
+    std::string metar;
+    std::string aerosol = "continental_average";
+};
+
+// Declares the options that fill `inputs`; the name is not required here.
+CLI::Option* add_air_inputs(CLI::App& app, AirInputs& inputs);
+
+struct AskedAir {
+    Atmosphere atmosphere;
+    std::vector<std::string> decisions;  // what was taken from the weather report, one line each
+};
+Result<AskedAir> asked_air(const AirInputs& inputs);
+
+}  // namespace airlight::cli
