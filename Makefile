@@ -21,6 +21,11 @@ build/release/build.ninja: | setup
 build: setup build/release/build.ninja
 	cmake --build --preset release
 
+# DEMO=small computes everything with tiny tables and pictures.
+demo: setup build/release/build.ninja
+	cmake --build --preset release --target airlight
+	tools/demo build/release/apps/airlight/airlight out/demo $(DEMO)
+
 test: build
 	ctest --preset release --parallel $$(nproc)
 

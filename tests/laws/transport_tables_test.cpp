@@ -92,6 +92,21 @@ TEST_CASE("the columns of a ray are the integrals of the density, from the zenit
     }
 }
 
+// Where a layer of haze ends, nodes that straddle its edge gave rings in the sky, one for each node that crossed it.
+TEST_CASE("the column of a layer that ends within the air is exact in every direction") {
+    const DensityProfile profiles[] = {LayerProfile{0.0 * km, 2.0 * km}};
+    const DensityTable densities(profiles, 100.0 * km);
+    RayNodes nodes;
+    for (double zenith = 0.0; zenith < 89.0; zenith += 0.37) {
+        CAPTURE(zenith);
+        const double mu = std::cos(zenith * deg);
+        sample_ray(earth, {0.0, mu, 0.5, 0.5}, densities, 20'000.0, 12, nodes);
+        const double expected = f64::distance_to_top(f64::Length::of(0.0), mu, f64::Length::of(earth.bottom_m), f64::Length::of(2000.0)).value;
+        // The table of densities spreads the edge over one of its steps, 7 m.
+        CHECK(nodes.total_column_m[0] == doctest::Approx(expected).epsilon(0.5 * 7.0 / 2000.0));
+    }
+}
+
 TEST_CASE("table maps: to and back is the identity, at every table size") {
     using f64::Length;
     for (const double radius : {1e5, 6.36e6, 7e7})
