@@ -46,7 +46,8 @@ FN Number transmittance_cosine_of_coordinate(Length h, Number x, Length bottom, 
 }
 
 // Sun: texels crowd around a zenith angle of 95 degrees, where twilight fades by a factor in each degree;
-// the coordinate runs from 120 degrees (0) to the zenith (1). Theory: eq. 22.
+// the coordinate runs from 120 degrees (0; night, for air not deeper than 0.15 of the planet's radius) to the zenith (1).
+// Theory: eq. 22.
 const Number twilight_cosine = -0.087;
 const Number twilight_width = 0.08;
 const Number lowest_sun_cosine = -0.5;
