@@ -68,12 +68,12 @@ Error out_of_range(std::string value, std::string_view rule, std::string remedy 
 
 // Extinction at 550 nm that the amount asks for at the ground, from what the eye sees of it.
 Result<InverseLength> ground_extinction(const Visibility& v, const MolecularAir& molecules) {
-    if (!(v.distance >= least_visibility)) return out_of_range("a visibility of " + length_text(v.distance), "it must be at least " + length_text(least_visibility));
-    const InverseLength rest = koschmieder / v.distance - molecules.scattering_at_ground;
-    if (rest.value >= 0.0) return rest;
-    return out_of_range("a visibility of " + length_text(v.distance),
-                        fmt::format("in air without any aerosol one sees {:.0f} km", (koschmieder / molecules.scattering_at_ground).in(km)),
-                        "Give less, or leave the aerosol out.");
+    if (!(v.distance >= least_visibility))
+        return out_of_range("a visibility of " + length_text(v.distance), "it must be at least " + length_text(least_visibility));
+    if (!(v.contrast > 0.0 && v.contrast < 1.0))
+        return out_of_range(fmt::format("a contrast of {}", v.contrast), "it must be above 0 and below 1",
+                            "Koschmieder's is 0.02, that of weather stations 0.05.");
+    return aerosol_extinction_of_visibility(v.distance, molecules.scattering_at_ground, v.contrast);
 }
 
 Result<double> depth_550(const OpticalDepth550& d) {
@@ -81,8 +81,9 @@ Result<double> depth_550(const OpticalDepth550& d) {
     return out_of_range(fmt::format("an optical depth of {}", d.value), amount_rule);
 }
 Result<double> depth_550(const Turbidity& t, const MolecularAir& molecules) {
-    if (t.value >= 1.0 && is_amount(t.value)) return (t.value - 1.0) * molecules.optical_depth;
-    return out_of_range(fmt::format("a turbidity of {}", t.value), "it must be from 1 to 1e6", "1 is air without any aerosol, 2 clear, 6 hazy, 10 thick haze.");
+    if (t.value >= 1.0 && is_amount(t.value)) return aerosol_depth_of_turbidity(t.value, molecules.optical_depth);
+    return out_of_range(fmt::format("a turbidity of {}", t.value), "it must be from 1 to 1e6",
+                        "1 is air without any aerosol, 2 clear, 6 hazy, 10 thick haze.");
 }
 
 }  // namespace
@@ -120,7 +121,7 @@ DensityProfile opac_profile(AerosolType type) {
 
 SpectrumOf<Number> angstrom_extinction(double alpha) {
     std::vector<SpectrumOf<Number>::Sample> samples;
-    for (int w = 300; w <= 1000; w += 10) samples.push_back({w * nm, std::pow(w / 550.0, -alpha)});
+    for (int w = 300; w <= 1000; w += 10) samples.push_back({w * nm, angstrom_factor(alpha, reference_wavelength, w * nm)});
     return *SpectrumOf<Number>::of(std::move(samples));
 }
 
@@ -133,33 +134,38 @@ Result<Constituent> aerosol_constituent(const AerosolMatter& matter, const Densi
         if (!optical_depth) return optical_depth.error();
         return with_extinction(made, profile, *optical_depth / depth);
     };
-    return std::visit(Overloaded{
-                          [&](const OpticalDepth550& d) { return of_depth(matter, depth_550(d)); },
-                          [&](const Turbidity& t) { return of_depth(matter, depth_550(t, molecules)); },
-                          [&](const Visibility& v) -> Result<Constituent> {
-                              if (!(at_ground >= least_ground_density)) return out_of_range("the profile", "to set a visibility it must hold some aerosol at the ground");
-                              const Result<InverseLength> extinction = ground_extinction(v, molecules);
-                              if (!extinction) return extinction.error();
-                              return with_extinction(matter, profile, *extinction / at_ground);
-                          },
-                          [&](const AngstromAmount& a) -> Result<Constituent> {
-                              if (!is_amount(a.beta)) return out_of_range(fmt::format("a beta of {}", a.beta), amount_rule);
-                              if (!(std::abs(a.alpha) <= 10.0)) return out_of_range(fmt::format("an alpha of {}", a.alpha), "it must be from -10 to 10", "Haze is near 1.3, desert dust near 0.2.");
-                              AerosolMatter made = matter;
-                              made.extinction = angstrom_extinction(a.alpha);
-                              return with_extinction(made, profile, a.beta * std::pow(0.55, -a.alpha) / depth);
-                          },
-                          [&](const GroundExtinction550& e) -> Result<Constituent> {
-                              if (is_amount(e.value.value)) return with_extinction(matter, profile, e.value);
-                              return out_of_range("an extinction of " + inverse_length_text(e.value), "it must be from 0 to 1e6 1/m");
-                          },
-                          [&](const TypicalAmount& t) -> Result<Constituent> {
-                              if (!(matter.typical_extinction_550.value > 0.0)) return Error{"", "only an aerosol of a type has a typical amount", "Give its type, or another kind of amount."};
-                              if (is_amount(t.factor)) return with_extinction(matter, profile, t.factor * matter.typical_extinction_550);
-                              return out_of_range(fmt::format("a factor of {}", t.factor), amount_rule);
-                          },
-                      },
-                      amount);
+    return std::visit(
+        Overloaded{
+            [&](const OpticalDepth550& d) { return of_depth(matter, depth_550(d)); },
+            [&](const Turbidity& t) { return of_depth(matter, depth_550(t, molecules)); },
+            [&](const Visibility& v) -> Result<Constituent> {
+                if (!(at_ground >= least_ground_density))
+                    return out_of_range("the profile", "to set a visibility it must hold some aerosol at the ground");
+                const Result<InverseLength> extinction = ground_extinction(v, molecules);
+                if (!extinction) return extinction.error();
+                return with_extinction(matter, profile, *extinction / at_ground);
+            },
+            [&](const AngstromLaw& law) -> Result<Constituent> {
+                if (!is_amount(law.beta)) return out_of_range(fmt::format("a beta of {}", law.beta), amount_rule);
+                if (!(std::abs(law.alpha) <= 10.0))
+                    return out_of_range(fmt::format("an alpha of {}", law.alpha), "it must be from -10 to 10",
+                                        "Haze is near 1.3, desert dust near 0.2.");
+                AerosolMatter made = matter;
+                made.extinction = angstrom_extinction(law.alpha);
+                return with_extinction(made, profile, optical_depth(law, reference_wavelength) / depth);
+            },
+            [&](const GroundExtinction550& e) -> Result<Constituent> {
+                if (is_amount(e.value.value)) return with_extinction(matter, profile, e.value);
+                return out_of_range("an extinction of " + inverse_length_text(e.value), "it must be from 0 to 1e6 1/m");
+            },
+            [&](const TypicalAmount& t) -> Result<Constituent> {
+                if (!(matter.typical_extinction_550.value > 0.0))
+                    return Error{"", "only an aerosol of a type has a typical amount", "Give its type, or another kind of amount."};
+                if (is_amount(t.factor)) return with_extinction(matter, profile, t.factor * matter.typical_extinction_550);
+                return out_of_range(fmt::format("a factor of {}", t.factor), amount_rule);
+            },
+        },
+        amount);
 }
 
 }  // namespace airlight

@@ -7,6 +7,7 @@
 #include "atmosphere/atmosphere.h"
 #include "atmosphere/constituents.h"
 #include "optics/aerosol.h"
+#include "optics/aerosol_laws.h"
 
 namespace airlight {
 
@@ -32,22 +33,16 @@ DensityProfile opac_profile(AerosolType type);
 // Extinction that falls with the power `alpha` of wavelength, 300 to 1000 nm. [Angstrom1929]
 SpectrumOf<Number> angstrom_extinction(double alpha);
 
-// Extinction times the distance at which a black object's contrast has fallen to 0.02: ln 50. [Koschmieder1924]
-inline constexpr double koschmieder = 3.912023005428146;
-
-// How much: one of these.
+// How much: one of these, or an AngstromLaw, whose own law of wavelength takes the place of the matter's.
 struct OpticalDepth550 {
     double value;  // vertical, >= 0
 };
 struct Visibility {
-    Length distance;  // meteorological optical range at the ground, > 0 [Koschmieder1924]
+    Length distance;                   // at the ground, >= 1 mm
+    double contrast = range_contrast;  // at which a black object is lost there, 0 < contrast < 1
 };
 struct Turbidity {
     double value;  // vertical optical depth of air and aerosol over that of air, at 550 nm, >= 1 [Preetham1999]
-};
-struct AngstromAmount {
-    double alpha;  // its own law of wavelength takes the place of the matter's
-    double beta;   // vertical optical depth at 1000 nm, >= 0
 };
 struct GroundExtinction550 {
     InverseLength value;  // where the profile is 1, >= 0
@@ -55,7 +50,7 @@ struct GroundExtinction550 {
 struct TypicalAmount {
     double factor;  // times the matter's typical extinction, >= 0
 };
-using AerosolAmount = std::variant<OpticalDepth550, Visibility, Turbidity, AngstromAmount, GroundExtinction550, TypicalAmount>;
+using AerosolAmount = std::variant<OpticalDepth550, Visibility, Turbidity, AngstromLaw, GroundExtinction550, TypicalAmount>;
 
 // The aerosol that leaves this amount in an atmosphere of air `molecules` and height `top`.
 // Fails if the amount is out of its range, or less than clean air alone gives (a visibility beyond that of air).

@@ -109,7 +109,15 @@ std::optional<AerosolAmount> read_angstrom(TomlInput& amount) {
     const auto beta = table->need(&TomlInput::number, "beta", "It is the vertical optical depth at 1000 nm: 0.05 is clear, 0.2 hazy.");
     table->refuse_unknown_keys();
     if (!alpha || !beta) return {};
-    return AngstromAmount{*alpha, *beta};
+    return AngstromLaw{*beta, *alpha};
+}
+
+std::optional<AerosolAmount> read_visibility(TomlInput& amount) {
+    const auto distance = amount.length("visibility");
+    const auto contrast = amount.number("contrast");
+    if (contrast && !amount.has("visibility")) amount.refuse("contrast", "it says how far a visibility is, and none is given", "Give the visibility too, or leave the contrast out.");
+    if (!distance) return {};
+    return Visibility{*distance, contrast.value_or(range_contrast)};
 }
 
 constexpr std::string_view amount_remedy = "Give one of: optical_depth_550 = 0.12, visibility = \"23 km\", turbidity = 3, angstrom = { alpha = 1.3, beta = 0.05 }, extinction_550 = \"1e-4 1/m\", times_typical = 1.";
@@ -123,7 +131,7 @@ struct AmountInput {
 std::optional<AmountInput> read_amount(TomlInput& amount) {
     std::vector<AmountInput> given;
     if (const auto x = amount.number("optical_depth_550")) given.push_back({"optical_depth_550", OpticalDepth550{*x}});
-    if (const auto x = amount.length("visibility")) given.push_back({"visibility", Visibility{*x}});
+    if (const auto x = read_visibility(amount)) given.push_back({"visibility", *x});
     if (const auto x = amount.number("turbidity")) given.push_back({"turbidity", Turbidity{*x}});
     if (const auto x = read_angstrom(amount)) given.push_back({"angstrom", *x});
     if (const auto x = amount.inverse_length("extinction_550")) given.push_back({"extinction_550", GroundExtinction550{*x}});

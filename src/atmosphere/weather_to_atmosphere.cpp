@@ -107,8 +107,9 @@ Result<double> growth(const Matter& matter, const AerosolMatter& grown) {
     return (grown.typical_extinction_550 / *usual).value;
 }
 
+// By day a report's visibility is the meteorological optical range, or close to it. [WMO2018, ch. 9]
 InverseLength particles_within(Length visibility, const MolecularAir& air) {
-    return max(koschmieder / visibility - air.scattering_at_ground, 0.0 * per_m);
+    return max(extinction_of_visibility(visibility, optical_range_contrast) - air.scattering_at_ground, 0.0 * per_m);
 }
 
 // Droplets and flakes are so large that they scatter every wavelength alike and absorb none.
@@ -171,14 +172,14 @@ void put_visibility(Work& work, double growth_factor) {
     if (work.report.cavok) visibility = ReportedDistance{10.0 * km, Bound::at_least};
     if (!visibility || visibility->bound == Bound::at_least) {
         const Length least = visibility ? max(visibility->distance, least_visibility) : 0.0 * m;
-        work.decisions.push_back(visibility ? fmt::format("visibility: at least {}, so the base's aerosol, {:.2f} times for humidity", length_text(least), growth_factor)
+        work.decisions.push_back(visibility ? fmt::format("visibility: at least {} at a contrast of {}, so the base's aerosol, {:.2f} times for humidity", length_text(least), optical_range_contrast, growth_factor)
                                             : fmt::format("visibility: not reported, so the base's aerosol, {:.2f} times for humidity", growth_factor));
         return put_aerosol(work, background(work, growth_factor, least));
     }
     const Length seen = max(visibility->distance, least_visibility);
     const InverseLength particles = particles_within(seen, work.air);
-    work.decisions.push_back(fmt::format("visibility: {}{}, extinction of particles at the ground {:.4g} 1/km at 550 nm", visibility->bound == Bound::less_than ? "less than " : "",
-                                         length_text(visibility->distance), particles.value * 1e3));
+    work.decisions.push_back(fmt::format("visibility: {}{} at a contrast of {}, extinction of particles at the ground {:.4g} 1/km at 550 nm", visibility->bound == Bound::less_than ? "less than " : "",
+                                         length_text(visibility->distance), optical_range_contrast, particles.value * 1e3));
     if (work.matter.obscuration == Obscuration::haze) return put_aerosol(work, particles);
     const InverseLength haze = min(background(work, growth_factor, 0.0 * m), particles);
     put_aerosol(work, haze);

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "units/text.h"
+
 namespace airlight {
 
 double optical_depth(const AngstromLaw& law, Wavelength wavelength) { return law.beta * std::pow(wavelength.in(nm) / 1000.0, -law.alpha); }
@@ -28,12 +30,14 @@ Length visibility_of_extinction(InverseLength extinction, double contrast) {
 }
 
 Result<InverseLength> aerosol_extinction_of_visibility(Length visibility, InverseLength molecular, double contrast) {
-    if (!(visibility > 0.0 * m)) return Error{"", fmt::format("a visibility of {} m is out of range: it must be above 0 m", visibility.in(m)), ""};
+    if (!(visibility > 0.0 * m))
+        return Error{"", fmt::format("a visibility of {} is out of range: it must be above 0 m", length_text(visibility)), ""};
     const InverseLength aerosol = extinction_of_visibility(visibility, contrast) - molecular;
     if (aerosol < 0.0 * per_m)
-        return Error{"", fmt::format("a visibility of {:.0f} km is out of range: in air without aerosol one sees {:.0f} km", visibility.in(km),
-                                     visibility_of_extinction(molecular, contrast).in(km)),
-                     "Describe the air without aerosol, or give a smaller visibility."};
+        return Error{"",
+                     fmt::format("a visibility of {} is out of range: in air without any aerosol one sees {:.0f} km",
+                                 length_text(visibility), visibility_of_extinction(molecular, contrast).in(km)),
+                     "Give less, or leave the aerosol out."};
     return aerosol;
 }
 

@@ -148,6 +148,10 @@ TEST_CASE("what is wrong in a file is said with its line, its key, its value and
          "earth.toml:9: aerosol.amount.visibility = \"500 km\": a visibility of 500 km is out of range: in air without any aerosol one sees"},
         {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = 0.9\nphase = { kind = \"isotropic\" }\namount = { visibility = \"5 km\", turbidity = 2 }\n",
          "visibility has said how much already"},
+        {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = 0.9\nphase = { kind = \"isotropic\" }\namount = { visibility = \"5 km\", contrast = 1 }\n",
+         "a contrast of 1 is out of range: it must be above 0 and below 1"},
+        {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = 0.9\nphase = { kind = \"isotropic\" }\namount = { turbidity = 2, contrast = 0.05 }\n",
+         "earth.toml:9: aerosol.amount.contrast = 0.05: it says how far a visibility is, and none is given"},
         {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = 1.9\nphase = { kind = \"isotropic\" }\namount = { turbidity = 2 }\n",
          "earth.toml:7: aerosol.single_scattering_albedo = 1.9: 1.9 is out of range: it must be from 0 to 1"},
         {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = 0.9\nphase = { kind = \"isotropic\" }\namount = { angstrom = { alpha = 1, beta = 1e308 } }\n",
@@ -215,6 +219,7 @@ TEST_CASE("an aerosol has the optical depth, the visibility and the turbidity th
     const auto depth = [&](const Atmosphere& a, Wavelength at) { return optical_depth(a.constituents[1], a.top_altitude, at).value; };
     CHECK(std::abs(depth(made("optical_depth_550 = 0.2"), w) - 0.2) < 1e-9);
     CHECK(std::abs(extinction(made("visibility = \"23 km\""), 0.0 * m, w).value * 23000.0 - std::log(50.0)) < 1e-9);
+    CHECK(std::abs(extinction(made("visibility = \"23 km\", contrast = 0.05"), 0.0 * m, w).value * 23000.0 - std::log(20.0)) < 1e-9);
     const Atmosphere turbid = made("turbidity = 3");
     CHECK(std::abs(optical_depth(turbid, w).value / optical_depth(turbid.constituents[0], turbid.top_altitude, w).value - 3.0) < 1e-9);
     const Atmosphere angstrom = made("angstrom = { alpha = 1.3, beta = 0.1 }");
