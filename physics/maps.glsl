@@ -1,4 +1,4 @@
-// Maps between physical arguments and table coordinates in [0, 1]. Theory: docs/theory.md, section 5.
+// Maps between physical arguments and table coordinates in [0, 1]. Theory: docs/theory.md, section 5.1.
 // Each pair is a map and its inverse; the tests go there and back at every table size.
 
 // The coordinate of a texture with `size` texels whose first and last texel centres stand for x = 0 and x = 1.

@@ -1,5 +1,5 @@
 // Phase functions, by the cosine nu of the scattering angle (1: forward); each integrates to one over the sphere.
-// Theory: docs/theory.md, section 3.
+// Theory: docs/theory.md, section 3.1.
 
 // Rayleigh's, for particles without depolarisation. [Chandrasekhar1960, ch. 1, eq. 26]
 FN InverseSolidAngle rayleigh_phase(Number nu) {

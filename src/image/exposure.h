@@ -1,5 +1,5 @@
 // How much light makes white: the factor from luminance to what a tone curve takes.
-// Theory: docs/theory.md, section "Images".
+// Theory: docs/theory.md, section 9.
 // Uses core; knows nothing of tone curves and files.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Pictures for the screen: PNG files in sRGB.
-// Theory: docs/theory.md, section "Images".
+// Theory: docs/theory.md, section 9.
 // Uses images; tone.h makes what is written here.
 #pragma once
 

@@ -1,5 +1,5 @@
 // From linear light to a display's range: curves that bend what is too bright, and images through them.
-// Theory: docs/theory.md, section "Images".
+// Theory: docs/theory.md, section 9.
 // Uses images; exposure.h makes the factor.
 #pragma once
 

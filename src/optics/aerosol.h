@@ -1,5 +1,5 @@
 // The aerosol of a kind of place at a humidity: how strongly it scatters and absorbs near the ground, and whereto.
-// Theory: docs/theory.md, Optics. Uses particles and phase functions; knows nothing of altitudes but the layer's own.
+// Theory: docs/theory.md, section 3.4. Uses particles and phase functions; knows nothing of altitudes but the layer's own.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // The aerosol from what people report of it: a visibility, a turbidity, optical depths at two wavelengths.
-// Theory: docs/theory.md, Optics. Uses quantities; knows nothing of particles.
+// Theory: docs/theory.md, section 3.4. Uses quantities; knows nothing of particles.
 #pragma once
 
 #include "core/result.h"

@@ -1,5 +1,5 @@
 // Absorption of light by ozone and nitrogen dioxide.
-// Theory: docs/theory.md, Optics. Uses curves; knows nothing of how much of a gas there is.
+// Theory: docs/theory.md, section 3.2. Uses curves; knows nothing of how much of a gas there is.
 #pragma once
 
 #include "units/curve.h"

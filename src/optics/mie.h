@@ -1,5 +1,5 @@
 // Scattering of a plane wave by a homogeneous sphere: Mie's series.
-// Theory: docs/theory.md, Optics; [Mie1908], in the notation of [BohrenHuffman1983, ch. 4]. Uses nothing of the project.
+// Theory: docs/theory.md, section 3.3; [Mie1908], in the notation of [BohrenHuffman1983, ch. 4]. Uses nothing of the project.
 #pragma once
 
 #include <complex>

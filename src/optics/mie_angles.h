@@ -1,5 +1,5 @@
 // The Mueller element M11 of many spheres at the same scattering angles: the sums that size distributions need.
-// Theory: docs/theory.md, Optics. Uses mie.h.
+// Theory: docs/theory.md, section 3.3. Uses mie.h.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // What the aerosol of the air is made of: OPAC's components, and how they grow in moist air.
-// Theory: docs/theory.md, Optics. Uses size distributions; knows nothing of how many particles there are.
+// Theory: docs/theory.md, section 3.4. Uses size distributions; knows nothing of how many particles there are.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // How a constituent of the air redistributes light over directions.
-// Theory: docs/theory.md, section 3. Uses physics (the analytic laws) and curves; knows nothing of densities.
+// Theory: docs/theory.md, section 3.1. Uses physics (the analytic laws) and curves; knows nothing of densities.
 #pragma once
 
 #include <variant>

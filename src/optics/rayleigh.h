@@ -1,5 +1,5 @@
 // Scattering by molecules: refractive index, King factor, cross-section and optical depth of air, and of carbon dioxide.
-// Theory: docs/theory.md, Optics. Uses quantities; knows nothing of altitudes.
+// Theory: docs/theory.md, section 3.2. Uses quantities; knows nothing of altitudes.
 #pragma once
 
 #include "units/units.h"

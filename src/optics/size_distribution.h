@@ -1,5 +1,5 @@
 // Spheres of many sizes: lognormal distributions, and the light that their mean particle takes and scatters.
-// Theory: docs/theory.md, Optics. Uses Mie's series; knows nothing of what the particles are.
+// Theory: docs/theory.md, section 3.4. Uses Mie's series; knows nothing of what the particles are.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // The sky from tables: single scattering integrated along the ray, all higher orders from the table of their source.
-// Theory: docs/theory.md, section 5. Uses transport/tables.h.
+// Theory: docs/theory.md, section 5.5. Uses transport/tables.h.
 #pragma once
 
 #include "sky/sky.h"

@@ -1,5 +1,5 @@
 // What the eye makes of a spectrum: the CIE 1931 standard observer, and colour as it sees it.
-// Theory: docs/theory.md, section "Spectrum and colour"; table: data/cie1931_2deg.source.md [CIE2018].
+// Theory: docs/theory.md, section 6; table: data/cie1931_2deg.source.md [CIE2018].
 // Uses units; knows nothing of displays.
 #pragma once
 

@@ -1,5 +1,5 @@
 // From colour as the eye sees it to the numbers of a display or a file, and back.
-// Theory: docs/theory.md, section "Spectrum and colour".
+// Theory: docs/theory.md, section 6.
 // Uses cie.h and the sun's spectrum; knows nothing of images.
 #pragma once
 

@@ -1,5 +1,5 @@
 // The temperature of the glowing body whose colour is nearest to a light's.
-// Theory: docs/theory.md, section "Spectrum and colour".
+// Theory: docs/theory.md, section 6.
 // Uses the standard observer.
 #pragma once
 

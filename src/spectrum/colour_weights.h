@@ -1,5 +1,5 @@
 // From radiance at a few wavelengths to colour: fixed weights, one triple a wavelength.
-// Theory: docs/theory.md, section "Spectrum and colour".
+// Theory: docs/theory.md, section 6.
 // Uses the grid, the sun's spectrum and the standard observer.
 #pragma once
 

@@ -1,5 +1,5 @@
 // The wavelengths at which light is computed, chosen by the user.
-// Theory: docs/theory.md, section "Spectrum and colour".
+// Theory: docs/theory.md, section 6.
 // Uses units; knows nothing of sun, air or eye.
 #pragma once
 

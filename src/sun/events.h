@@ -1,5 +1,5 @@
 // When the sun and the moon rise and set at a place, and when twilight begins and ends, in one day of UTC.
-// docs/theory.md, section "Sun and moon". Uses the positions; knows nothing of clocks on walls.
+// docs/theory.md, section 7. Uses the positions; knows nothing of clocks on walls.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // Where the sun and the moon stand in the sky of a place at a moment, how far and how large they are.
-// docs/theory.md, section "Sun and moon". Uses ERFA; knows nothing of the atmosphere but its refraction.
+// docs/theory.md, section 7. Uses ERFA; knows nothing of the atmosphere but its refraction.
 #pragma once
 
 #include <optional>

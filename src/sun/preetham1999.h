@@ -1,5 +1,5 @@
 // The solar position that Preetham, Shirley and Smits print with their sky [Preetham1999, appendix A.6], beside ours.
-// docs/theory.md, section "Sun and moon". For comparison only: sun/position.h is right to 0.0005 deg.
+// docs/theory.md, section 7. For comparison only: sun/position.h is right to 0.0005 deg.
 #pragma once
 
 #include "sun/position.h"

@@ -1,4 +1,4 @@
-// Moments in Coordinated Universal Time: read, written and shifted. docs/theory.md, section "Sun and moon".
+// Moments in Coordinated Universal Time: read, written and shifted. docs/theory.md, section 7.
 // Uses ERFA's calendar and leap seconds; knows nothing of places or of the sky.
 #pragma once
 

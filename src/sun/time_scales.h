@@ -1,5 +1,5 @@
 // UTC to the time scales that astronomy runs on: UT1 (the Earth's rotation) and TT (the planets' motion).
-// docs/theory.md, section "Sun and moon". Uses ERFA; internal to this module.
+// docs/theory.md, section 7. Uses ERFA; internal to this module.
 #pragma once
 
 #include "sun/time.h"

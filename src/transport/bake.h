@@ -1,5 +1,5 @@
 // The tables of one pack of wavelengths, by successive orders of scattering.
-// Theory: docs/theory.md, section 5. Uses pack tables and harmonics.
+// Theory: docs/theory.md, sections 5.3 and 5.4. Uses pack tables and harmonics.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // The light that reaches the start of a ray through the air, gathered from the tables of one pack.
-// Theory: docs/theory.md, section 5. Uses pack tables and ray nodes.
+// Theory: docs/theory.md, section 5.5. Uses pack tables and ray nodes.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Humidity of air from what a weather report says: temperature and dew point.
-// docs/theory.md, section "Weather reports". Uses nothing.
+// docs/theory.md, section 8. Uses nothing.
 #pragma once
 
 namespace airlight {

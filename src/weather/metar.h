@@ -1,6 +1,6 @@
 // A METAR, the routine weather report of an aerodrome, as it is: nothing is filled in, nothing guessed.
 // Its form: WMO-No. 306, FM 15 and FM 16 [WMO306], with the American and Canadian practices (miles, inches, RMK).
-// docs/theory.md, section "Weather reports". Knows nothing of atmospheres.
+// docs/theory.md, section 8. Knows nothing of atmospheres.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // The groups of a METAR's body: how each is recognised and read. Internal to parse_metar().
-// docs/theory.md, section "Weather reports"; WMO-No. 306, FM 15 [WMO306].
+// docs/theory.md, section 8; WMO-No. 306, FM 15 [WMO306].
 #pragma once
 
 #include <initializer_list>
