@@ -7,12 +7,15 @@
 
 #include <cmath>
 
-#include "figures.h"
-#include "skies.h"
-#include "transport/reference.h"
+#include "views.h"
 
 using namespace airlight;
+using truth::absent;
+using truth::in_nm;
+using truth::lane_of;
+using truth::name_of;
 using truth::Row;
+using truth::view_of;
 
 namespace {
 
@@ -50,38 +53,12 @@ double angle_to_sun(const Row& row) {
     return std::acos(std::clamp(std::cos(v) * std::cos(s) + std::sin(v) * std::sin(s) * std::cos(a), -1.0, 1.0)) / deg;
 }
 
-View view_of(const Row& row) {
-    return {row["eye_altitude_m"] * m, row["view_zenith_deg"] * deg, row["sun_zenith_deg"] * deg, row["relative_azimuth_deg"] * deg};
-}
-
-std::string name_of(const Row& row) {
-    return fmt::format("{} sun {} eye {} km view {} azimuth {}", row.text("case"), row["sun_zenith_deg"], row["eye_altitude_m"] / 1000.0, row["view_zenith_deg"], row["relative_azimuth_deg"]);
-}
-
 // Rows of the three skies with the same geometry are wavelengths of one estimate; slabs are one each.
 std::map<std::string, std::vector<const Row*>> by_geometry(const std::vector<Row>& rows) {
     std::map<std::string, std::vector<const Row*>> groups;
     for (const Row& row : rows)
         groups[row.text("case").starts_with("sky") ? fmt::format("{} {} {} {}", row["sun_zenith_deg"], row["eye_altitude_m"], row["view_zenith_deg"], row["relative_azimuth_deg"]) : name_of(row)].push_back(&row);
     return groups;
-}
-
-// Which of the three skies a row is of; 0 for slabs.
-std::size_t lane_of(const Row& row) {
-    const auto found = std::find(truth::sky_names.begin(), truth::sky_names.end(), row.text("case"));
-    return found == truth::sky_names.end() ? 0 : static_cast<std::size_t>(found - truth::sky_names.begin());
-}
-
-std::vector<Wavelength> in_nm(const std::vector<double>& values) {
-    std::vector<Wavelength> result;
-    for (const double v : values) result.push_back(v * nm);
-    return result;
-}
-
-bool absent(const std::vector<Row>& rows, const char* name) {
-    if (!rows.empty()) return false;
-    fmt::print("[skipped] {} is absent; AIRLIGHT_REFERENCE may name its folder\n", name);
-    return true;
 }
 
 }  // namespace
@@ -157,8 +134,7 @@ TEST_CASE("the reference agrees with the exact light of a measured day's air") {
     for (const auto& [key, group] : geometries) {
         if (index++ % (truth::full() ? 1 : 5) != 0) continue;
         const Row& first = *group.front();
-        const View view{0.0 * m, first["view_zenith_deg"] * deg, first["sun_zenith_deg"] * deg, (first["view_azimuth_deg"] - first["sun_azimuth_deg"]) * deg};
-        const RadianceEstimate estimate = *reference.radiance(view, {.paths = truth::full() ? 65536 : 8192, .seed = 11 + index});
+        const RadianceEstimate estimate = *reference.radiance(truth::ground_view_of(first), {.paths = truth::full() ? 65536 : 8192, .seed = 11 + index});
         for (const Row* row : group) {
             const std::size_t lane = static_cast<std::size_t>(std::find(wavelengths.begin(), wavelengths.end(), (*row)["wavelength_nm"]) - wavelengths.begin());
             const double theirs = (*row)["radiance_W_m-2_sr-1_nm-1"];
