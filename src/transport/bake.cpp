@@ -146,9 +146,10 @@ public:
             std::atomic<int> done = 0;
             const int tasks = sizes_.altitude * sizes_.sun;
             parallel_for(static_cast<std::size_t>(tasks), [&](std::size_t task) {
-                const bool night = task % static_cast<std::size_t>(sizes_.sun) == 0;  // a sun 30 degrees below: that texel stays dark
-                if (night || progress.stop.stop_requested()) return;
-                scatter(order, static_cast<int>(task) / sizes_.sun, static_cast<int>(task) % sizes_.sun, state.source, state.irradiance, next, next_irradiance);
+                if (progress.stop.stop_requested()) return;
+                const int i_s = static_cast<int>(task) % sizes_.sun;
+                const bool night = i_s == 0;  // the sun is 30 degrees below: that texel stays dark
+                if (!night) scatter(order, static_cast<int>(task) / sizes_.sun, i_s, state.source, state.irradiance, next, next_irradiance);
                 const int count = ++done;
                 if (count % 64 == 0) progress.report("scattering", (order - 1 + static_cast<double>(count) / tasks) / settings.orders);
             });
