@@ -5,18 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/overloaded.h"
 #include "units/text.h"
 
 namespace airlight {
 
 namespace {
-
-template <class... F>
-struct Overloaded : F... {
-    using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
 
 constexpr Wavelength reference_wavelength = 550.0 * nm;
 // Four times coarser than the optics' own step, and as much faster: extinction and albedo stay within 1e-3.

@@ -2,18 +2,12 @@
 
 #include "atmosphere/atmosphere_file.h"
 #include "core/files.h"
+#include "core/overloaded.h"
 #include "units/text.h"
 
 namespace airlight {
 
 namespace {
-
-template <class... F>
-struct Overloaded : F... {
-    using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
 
 // A basic string of TOML: quotes, backslashes and control characters escaped.
 std::string toml_string(std::string_view text) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/overloaded.h"
 #include "units/text.h"
 
 namespace airlight {
@@ -12,13 +13,6 @@ namespace airlight {
 namespace {
 
 using Broken = std::optional<BrokenRule>;
-
-template <class... F>
-struct Overloaded : F... {
-    using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
 
 std::string number_text(double value) { return fmt::format("{}", value); }
 std::string quoted(const std::string& text) { return '"' + text + '"'; }

@@ -8,18 +8,12 @@
 #include <optional>
 #include <string_view>
 
+#include "core/overloaded.h"
 #include "physics/f64.h"
 
 namespace airlight {
 
 namespace {
-
-template <class... F>
-struct Overloaded : F... {
-    using F::operator()...;
-};
-template <class... F>
-Overloaded(F...) -> Overloaded<F...>;
 
 InverseSolidAngle from_text(f64::InverseSolidAngle phase) { return InverseSolidAngle::of(phase.value); }
 

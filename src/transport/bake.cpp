@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "core/quadrature.h"
 #include "transport/harmonics.h"
+#include "transport/pack_arithmetic.h"
 #include "transport/ray_light.h"
 
 namespace airlight {
@@ -32,16 +33,6 @@ constexpr int azimuths = 22;  // midpoints over half a turn: exact for products 
 constexpr double peak_radius = 25.0 * deg;
 constexpr int peak_rings = 12;
 constexpr int peak_spokes = 12;
-
-template <class Spectrum>
-AIRLIGHT_INLINE Spectrum zero() {
-    return Spectrum(Spectrum::Scalar::of(0.0f));
-}
-
-template <class Spectrum>
-AIRLIGHT_INLINE void add_scaled(Spectrum& sum, const Spectrum& x, float factor) {
-    for (int w = 0; w < Spectrum::size; ++w) sum.v[w] += factor * x.v[w];
-}
 
 // The directions at one altitude, with their solid angles but for the azimuth's share.
 struct ViewRule {
@@ -102,12 +93,6 @@ PeakRule peak_rule(double mu_s) {
         }
     }
     return rule;
-}
-
-f32::PhaseSpectrum narrowed(const f64::PhaseSpectrum& from) {
-    f32::PhaseSpectrum to;
-    for (int i = 0; i < pack_size; ++i) to.v[i] = static_cast<float>(from.v[i]);
-    return to;
 }
 
 using Coefficients = std::vector<RadianceSpectrum>;  // [layout.count()]
@@ -271,7 +256,7 @@ private:
             single = gather(air_, transmittance_, {.single = true, .source = nullptr, .diffuse_on_ground = nullptr, .direct_on_ground = false}, nodes, nu).single;
         }
         for (std::size_t p = 0; p < optics_.parts.size(); ++p)
-            if (optics_.parts[p].scatters) radiance += single[p] * narrowed(phase_of(optics_.parts[p].phase));
+            if (optics_.parts[p].scatters) radiance += single[p] * narrowed<f32::PhaseSpectrum>(phase_of(optics_.parts[p].phase));
         return radiance;
     }
 

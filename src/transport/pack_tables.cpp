@@ -4,25 +4,13 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "transport/pack_arithmetic.h"
 
 namespace airlight {
 
 namespace {
 
-
 f32::Length metres(double x) { return f32::Length::of(static_cast<float>(x)); }
-
-template <class Spectrum>
-AIRLIGHT_INLINE Spectrum zero() {
-    return Spectrum(Spectrum::Scalar::of(0.0f));
-}
-
-template <class To, class From>
-To narrowed(const From& from) {
-    To to;
-    for (int i = 0; i < pack_size; ++i) to.v[i] = static_cast<float>(from.v[i]);
-    return to;
-}
 
 // The part of a uniform disk that stands above a straight horizon; x is the height of its centre in units of its radius.
 float disk_above(float x) {

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "transport/pack_arithmetic.h"
+
 namespace airlight {
 
 namespace {
-
-template <class Spectrum>
-AIRLIGHT_INLINE Spectrum zero() {
-    return Spectrum(Spectrum::Scalar::of(0.0f));
-}
 
 // Light that the ground sends up where the ray ends.
 f32::RadianceSpectrum light_from_ground(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, const Gathered& what, float mu_s) {

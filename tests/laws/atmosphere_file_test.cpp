@@ -11,6 +11,7 @@
 #include "atmosphere/presets.h"
 #include "atmosphere/validate.h"
 #include "core/files.h"
+#include "tools/temporary_folder.h"
 
 using namespace airlight;
 
@@ -105,8 +106,8 @@ TEST_CASE("every preset is a valid description of its own name that covers the v
 }
 
 TEST_CASE("a file is written whole, and read again") {
-    const auto folder = std::filesystem::temp_directory_path() / "airlight_atmosphere_file_test";
-    std::filesystem::create_directories(folder);
+    const test::TemporaryFolder scratch;
+    const std::filesystem::path& folder = scratch.path;
     const Atmosphere a = *preset("earth-rayleigh");
     REQUIRE(write_atmosphere(folder / "a.toml", a));
     CHECK(*read_atmosphere(folder / "a.toml") == a);
@@ -114,7 +115,6 @@ TEST_CASE("a file is written whole, and read again") {
     CHECK(*atmosphere_named("earth-rayleigh") == a);
     CHECK(atmosphere_named("earth-raleigh").error().remedy == "Did you mean \"earth-rayleigh\"?");
     CHECK(!write_atmosphere(folder / "absent" / "a.toml", a));
-    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("what is wrong in a file is said with its line, its key, its value and the rule") {

@@ -1,7 +1,6 @@
 // Files, errors and results.
 
 #include <doctest/doctest.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <filesystem>
@@ -9,23 +8,14 @@
 #include "core/files.h"
 #include "core/parallel.h"
 #include "core/progress.h"
+#include "tools/temporary_folder.h"
 
 using namespace airlight;
+using test::TemporaryFolder;
 namespace fs = std::filesystem;
 
-namespace {
-
-// A folder that is gone when the test ends.
-struct ScratchFolder {
-    fs::path path = fs::temp_directory_path() / ("airlight-test-" + std::to_string(::getpid()));
-    ScratchFolder() { fs::create_directories(path); }
-    ~ScratchFolder() { fs::remove_all(path); }
-};
-
-}  // namespace
-
 TEST_CASE("a written file reads back to the same bytes") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string bytes("one\0two\n", 8);
     REQUIRE(write_file(folder.path / "file", bytes));
     const Result<std::string> read = read_file(folder.path / "file");
@@ -34,7 +24,7 @@ TEST_CASE("a written file reads back to the same bytes") {
 }
 
 TEST_CASE("a file that cannot be written is named in the error and leaves nothing behind") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const Result<Done> written = write_file(folder.path / "absent" / "file", "text");
     REQUIRE(!written);
     CHECK(written.error().message().find("absent/file: cannot be written: No such file") != std::string::npos);
@@ -46,7 +36,7 @@ TEST_CASE("a full disk loses nothing that was there") {
         MESSAGE("[skipped] no /dev/full on this system");
         return;
     }
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const fs::path file = folder.path / "file";
     REQUIRE(write_file(file, "old"));
     fs::create_symlink("/dev/full", temporary_name(file));  // what write_file() writes to, is full
@@ -55,7 +45,7 @@ TEST_CASE("a full disk loses nothing that was there") {
 }
 
 TEST_CASE("a file larger than its bound is refused") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     REQUIRE(write_file(folder.path / "file", "0123456789"));
     CHECK(read_file(folder.path / "file", 10));
     CHECK(!read_file(folder.path / "file", 9));

@@ -1,7 +1,6 @@
 // EXR and PNG: round trips, headers, dithering, and what cannot be written or read.
 
 #include <doctest/doctest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -12,18 +11,13 @@
 #include "image/exr.h"
 #include "image/png.h"
 #include "spectrum/wavelength_grid.h"
+#include "tools/temporary_folder.h"
 
 using namespace airlight;
+using test::TemporaryFolder;
 namespace fs = std::filesystem;
 
 namespace {
-
-// A folder that is gone when the test ends.
-struct ScratchFolder {
-    fs::path path = fs::temp_directory_path() / ("airlight-image-" + std::to_string(::getpid()));
-    ScratchFolder() { fs::create_directories(path); }
-    ~ScratchFolder() { fs::remove_all(path); }
-};
 
 Image noise(int width, int height, int channels, float highest) {
     std::mt19937 random(20260104);
@@ -36,7 +30,7 @@ Image noise(int width, int height, int channels, float highest) {
 }  // namespace
 
 TEST_CASE("an RGB image reads back from EXR to the same bits, with its meaning") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const Image image = noise(37, 21, 3, 2e9f);
     ImageMeaning meaning = ImageMeaning::rgb(RgbSpace::acescg);
     meaning.notes = {{"place", "Boulder"}, {"time", "2003-10-17T19:30:30Z"}};
@@ -55,7 +49,7 @@ TEST_CASE("an RGB image reads back from EXR to the same bits, with its meaning")
 }
 
 TEST_CASE("the pixels are where they were: the top left is the first") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     Image image(3, 2, 3);
     image.pixel(2, 0)[1] = 5.0f;
     REQUIRE(write_exr(folder.path / "sky.exr", image, ImageMeaning::rgb(RgbSpace::srgb)));
@@ -65,7 +59,7 @@ TEST_CASE("the pixels are where they were: the top left is the first") {
 }
 
 TEST_CASE("a spectral image keeps its wavelengths in order") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const WavelengthGrid grid = *parse_wavelength_grid("90,360.5,550,1000");  // by name, 1000 would come before 90
     const std::vector<Wavelength> wavelengths(grid.begin(), grid.end());
     const Image image = noise(8, 8, 4, 0.3f);
@@ -82,7 +76,7 @@ TEST_CASE("a spectral image keeps its wavelengths in order") {
 }
 
 TEST_CASE("half keeps 11 bits of the sun's disk and of the night") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     for (const float highest : {1.6e9f, 70000.0f, 65504.0f, 3000.0f, 1.0f, 2e-4f}) {
         CAPTURE(highest);
         Image image = noise(16, 16, 3, highest);
@@ -96,7 +90,7 @@ TEST_CASE("half keeps 11 bits of the sun's disk and of the night") {
 }
 
 TEST_CASE("light that is not finite or is negative is refused, and the pixel named") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const fs::path path = folder.path / "sky.exr";
     REQUIRE(write_file(path, "old"));
     for (const float wrong : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -1e-9f}) {
@@ -111,7 +105,7 @@ TEST_CASE("light that is not finite or is negative is refused, and the pixel nam
 }
 
 TEST_CASE("a folder that cannot be written and a full disk give one error and leave nothing") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const Image image = noise(64, 64, 3, 1.0f);
     const ImageMeaning meaning = ImageMeaning::rgb(RgbSpace::srgb);
     const fs::path absent = folder.path / "absent" / "sky";
@@ -133,7 +127,7 @@ TEST_CASE("a folder that cannot be written and a full disk give one error and le
 }
 
 TEST_CASE("a damaged or foreign file is refused and named") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const fs::path exr = folder.path / "sky.exr", png = folder.path / "sky.png";
     const Image image = noise(64, 64, 3, 1.0f);
     REQUIRE(write_exr(exr, image, ImageMeaning::rgb(RgbSpace::srgb)));
@@ -156,7 +150,7 @@ TEST_CASE("a damaged or foreign file is refused and named") {
 }
 
 TEST_CASE("a level written to PNG reads back to the same level, black and white exactly") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     for (const PngBits bits : {PngBits::eight, PngBits::sixteen}) {
         const int highest = bits == PngBits::eight ? 255 : 65535;
         Image image(256, 2, 3);
@@ -178,7 +172,7 @@ TEST_CASE("a level written to PNG reads back to the same level, black and white 
 }
 
 TEST_CASE("a smooth gradient has no bands: over blocks of 16 x 16 pixels the mean level is right to 0.1") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     Image image(512, 256, 3);
     for (int y = 0; y < 256; ++y)
         for (int x = 0; x < 512; ++x)
@@ -201,7 +195,7 @@ TEST_CASE("a smooth gradient has no bands: over blocks of 16 x 16 pixels the mea
 }
 
 TEST_CASE("the same image gives the same PNG bytes, marked as sRGB") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const Image image = noise(32, 32, 1, 1.0f);
     REQUIRE(write_png(folder.path / "a.png", image));
     REQUIRE(write_png(folder.path / "b.png", image));
