@@ -21,8 +21,12 @@ float disk_above(float x) {
 
 }  // namespace
 
+f32::Spectrum optical_depth_of(const PackAir& air, const float* columns_m) {
+    return weighted_sum(air.extinction, columns_m, air.parts) * f32::m;
+}
+
 f32::Spectrum transmittance_of(const PackAir& air, const float* columns_m) {
-    return exp(-weighted_sum(air.extinction, columns_m, air.parts) * f32::m);
+    return exp(-optical_depth_of(air, columns_m));
 }
 
 float PackAir::free_path_at(float altitude_m) const {
@@ -67,7 +71,7 @@ Table<f32::Spectrum, 2> transmittance_table(const PackAir& air, const TableSizes
             const double mu = std::max(f64::transmittance_cosine_of_coordinate(h, static_cast<double>(i) / (sizes.transmittance_mu - 1), bottom, top).value,
                                        f64::horizon_cosine(h, bottom).value + 1e-12);
             sample_ray(air.shell, {h.value, mu, 1.0, mu}, air.densities, 1e30, RayNodes::max_per_piece, nodes);
-            table[{i, static_cast<int>(j)}] = transmittance_of(air, nodes.total_column_m);
+            table[{i, static_cast<int>(j)}] = optical_depth_of(air, nodes.total_column_m);
         }
     });
     return table;
@@ -84,7 +88,7 @@ f32::Spectrum sun_transmittance(const PackAir& air, const Table<f32::Spectrum, 2
     if (part == 0.0f) return zero<f32::Spectrum>();
     const f32::Number x = f32::transmittance_cosine_coordinate(h, f32::Number(std::max(mu_s, horizon)), bottom, top);
     const f32::Number y = f32::altitude_coordinate(h, top);
-    return transmittance.look_up({f32::texture_coordinate(x, transmittance.size()[0]).value, f32::texture_coordinate(y, transmittance.size()[1]).value}) *
+    return exp(-transmittance.look_up({f32::texture_coordinate(x, transmittance.size()[0]).value, f32::texture_coordinate(y, transmittance.size()[1]).value})) *
            f32::Number(part);
 }
 

@@ -30,7 +30,8 @@ struct PackAir {
 PackAir pack_air(const AirOptics& optics);
 
 struct PackTables {
-    Table<f32::Spectrum, 2> transmittance;         // [mu][altitude]: from a point to the top of the atmosphere
+    Table<f32::Spectrum, 2> transmittance;         // [mu][altitude]: from a point to the top of the atmosphere, as optical depth:
+                                                   // between texels, light in deep haze falls exponentially, not linearly
     Table<f32::RadianceSpectrum, 4> source;        // [sun][azimuth][view][altitude]: radiance scattered, by light of at least one
                                                    // scattering or reflection, per scattering coefficient (all orders summed)
     Table<f32::IrradianceSpectrum, 2> irradiance;  // [sun][altitude]: diffuse, on a level surface facing up
@@ -65,6 +66,9 @@ f32::Spectrum sun_transmittance(const PackAir& air, const Table<f32::Spectrum, 2
 
 // Irradiance of a level plane facing up by the sun's disk.
 f32::IrradianceSpectrum direct_irradiance(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, float altitude_m, float mu_s);
+
+// Optical depth of the given columns of each part's air (relative density times length, in metres).
+f32::Spectrum optical_depth_of(const PackAir& air, const float* columns_m);
 
 // Transmittance through the given columns of each part's air (relative density times length, in metres).
 f32::Spectrum transmittance_of(const PackAir& air, const float* columns_m);
