@@ -297,15 +297,32 @@ private:
         for (std::size_t i = 0; i < sum.cells().size(); ++i) sum.cells()[i] += x.cells()[i];
     }
 
+    // The factor by which the last order, summed over all texels, is less than the one before: [wavelength], at most 0.95.
+    template <class T>
+    static std::array<float, pack_size> decline(const T& previous, const T& last) {
+        std::array<float, pack_size> ratio;
+        for (int w = 0; w < pack_size; ++w) {
+            double before = 0.0, after = 0.0;
+            for (std::size_t i = 0; i < last.cells().size(); ++i) {
+                before += previous.cells()[i].v[w];
+                after += last.cells()[i].v[w];
+            }
+            ratio[static_cast<std::size_t>(w)] = before > 0.0 ? static_cast<float>(std::min(after / before, 0.95)) : 0.0f;
+        }
+        return ratio;
+    }
+
     // Adds `last` and all that follows it in the geometric series that `previous` and `last` begin. Successive orders approach
-    // such a series, for light forgets where it came from.
+    // such a series, for light forgets where it came from. Deep in haze the first orders still grow; a texel's own ratio,
+    // there above that of the whole, would then overstate what follows by half.
     template <class T>
     static void add_series(T& sum, const T& previous, const T& last) {
+        const std::array<float, pack_size> most = decline(previous, last);
         for (std::size_t i = 0; i < sum.cells().size(); ++i)
             for (int w = 0; w < pack_size; ++w) {
                 const float a = previous.cells()[i].v[w];
                 const float b = last.cells()[i].v[w];
-                const float ratio = a > 0.0f ? std::min(b / a, 0.95f) : 0.0f;
+                const float ratio = a > 0.0f ? std::min(b / a, most[static_cast<std::size_t>(w)]) : 0.0f;
                 sum.cells()[i].v[w] += b / (1.0f - ratio);
             }
     }
