@@ -137,8 +137,8 @@ TEST_CASE("as optical depth goes to zero, the source of higher orders goes to ze
     CHECK(a.v[0] / b.v[0] == doctest::Approx(10.0).epsilon(1e-3));
 }
 
-// The sixth order and those beyond are 1 % of the light here; the series that stands for them is off by less than half of
-// itself wherever the sky is brighter than a thousandth of its brightest.
+// The orders beyond those computed are a few hundredths of the light here; the series that stands for them leaves less than
+// half a hundredth wrong wherever the sky is brighter than a thousandth of its brightest.
 TEST_CASE("orders computed and orders extrapolated agree") {
     const Wavelength wavelength[] = {450.0 * nm};
     const AirOptics optics = air_optics(small_earth(3e-5), wavelength);  // vertical optical depth 0.24
