@@ -12,6 +12,7 @@
 #include "core/result.h"
 #include "sky/sky.h"
 #include "spectrum/wavelength_grid.h"
+#include "transport/bake_settings.h"
 
 namespace airlight::cli {
 
@@ -20,7 +21,7 @@ struct SkyInputs {
     std::string wavelengths = "standard";
     std::string model = "tables";
     std::string sizes;
-    int orders = 5;
+    int orders = BakeSettings{}.orders;
     std::int64_t paths = 16384;
     std::uint64_t seed = 1;
     std::string cache;

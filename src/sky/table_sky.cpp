@@ -27,7 +27,7 @@ std::optional<Ray> ray_of(const Shell& shell, const View& view) {
 
 RayLight light_along(const Tables::Pack& pack, const Ray& ray) {
     static thread_local RayNodes nodes;
-    sample_ray(pack.air.shell, ray, pack.air.densities, pack.air.free_path_at(static_cast<float>(ray.altitude_m)), nodes_per_piece, nodes);
+    sample_ray(pack.air.shell, ray, pack.air.densities, pack.air.opacity, nodes_per_piece, nodes);
     const Gathered everything{.single = true, .source = &pack.tables.source, .diffuse_on_ground = &pack.tables.irradiance, .direct_on_ground = true};
     return gather(pack.air, pack.tables.transmittance, everything, nodes, static_cast<float>(ray.nu));
 }
@@ -72,9 +72,8 @@ Result<IrradianceEstimate> TableSky::irradiance(Length altitude, double sun_zeni
         const bool in_air = altitude.value <= air.shell.top_m;
         const float h = static_cast<float>(std::min(altitude.value, air.shell.top_m));
         const auto& size = pack.tables.irradiance.size();
-        const float x = f32::texture_coordinate(f32::sun_coordinate(mu_s), size[0]).value;
-        const float y = f32::texture_coordinate(f32::altitude_coordinate(f32::Length::of(h), f32::Length::of(static_cast<float>(air.shell.top_m))), size[1]).value;
-        const f32::IrradianceSpectrum diffuse = pack.tables.irradiance.look_up({x, y});
+        const Texels sun = texels_at(f32::texture_coordinate(f32::sun_coordinate(mu_s), size[0]).value, size[0]);
+        const f32::IrradianceSpectrum diffuse = pack.tables.irradiance.at({sun, air.source_axis.at(h)});
         const f32::IrradianceSpectrum direct = direct_irradiance(air, pack.tables.transmittance, h, mu_s);
         for (int w = 0; w < pack.optics.wavelength_count; ++w) {
             estimate.direct_W_m2_nm.push_back(direct.v[w]);
@@ -101,7 +100,7 @@ Result<std::vector<double>> TableSky::transmittance(Length altitude, double view
         }
         f32::Spectrum seen(f32::Number(1.0));
         if (met && ray.limit_m > 0.0) {
-            sample_ray(pack.air.shell, ray, pack.air.densities, pack.air.free_path_at(static_cast<float>(ray.altitude_m)), nodes_per_piece, nodes);
+            sample_ray(pack.air.shell, ray, pack.air.densities, pack.air.opacity, nodes_per_piece, nodes);
             seen = transmittance_of(pack.air, nodes.total_column_m);
         }
         for (int w = 0; w < pack.optics.wavelength_count; ++w) transmittance.push_back(seen.v[w]);

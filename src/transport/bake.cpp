@@ -27,6 +27,7 @@ constexpr int nodes_per_piece = 12;
 // Directions of quadrature: sky and ground apart, both crowding towards the horizon between them.
 constexpr int sky_angles = 20;
 constexpr int ground_angles = 12;
+constexpr int layer_angles = 8;  // between the edge of a layer seen from above and the next one's, or the horizon
 constexpr int azimuths = 22;  // midpoints over half a turn: exact for products of two harmonics of degree 20
 
 // Phase functions are clipped at this angle from the sun; what stands above the clip is integrated over a disk of its own.
@@ -44,9 +45,9 @@ struct ViewRule {
     std::vector<Angle> angles;
 };
 
-ViewRule view_rule(double horizon_cosine) {
+// `edges`: zenith angles at which light jumps, increasing: the tops of layers below, and last the horizon.
+ViewRule view_rule(const std::vector<double>& edges) {
     ViewRule rule;
-    const double horizon = std::acos(horizon_cosine);
     const auto add = [&](int count, double from, double range) {
         const GaussRule gauss = gauss_rule(count, 0.0, 1.0);
         for (std::size_t i = 0; i < gauss.nodes.size(); ++i) {
@@ -56,8 +57,9 @@ ViewRule view_rule(double horizon_cosine) {
             rule.angles.push_back({std::cos(angle), static_cast<float>(weight), legendre_values(layout, std::cos(angle))});
         }
     };
-    add(sky_angles, horizon, -horizon);
-    add(ground_angles, horizon, pi - horizon);
+    add(sky_angles, edges.front(), -edges.front());
+    for (std::size_t i = 0; i + 1 < edges.size(); ++i) add(layer_angles, edges[i], edges[i + 1] - edges[i]);
+    add(ground_angles, edges.back(), pi - edges.back());
     return rule;
 }
 
@@ -100,12 +102,12 @@ using Coefficients = std::vector<RadianceSpectrum>;  // [layout.count()]
 class Baker {
 public:
     Baker(const AirOptics& optics, const BakeSettings& settings)
-        : optics_(optics), air_(pack_air(optics)), sizes_(settings.sizes), transmittance_(transmittance_table(air_, sizes_)) {
+        : optics_(optics), air_(pack_air(optics, settings.sizes)), sizes_(settings.sizes), transmittance_(transmittance_table(air_, sizes_.transmittance_mu)) {
         for (const AirOptics::Part& part : optics.parts) moments_.push_back(part.phase.legendre_moments(layout.degree + 1));
         for (int i = 0; i < sizes_.altitude; ++i) {
             const double h = altitude(i);
-            views_.push_back(view_rule(f64::horizon_cosine(f64::Length::of(h), f64::Length::of(air_.shell.bottom_m)).value));
-            scattering_factors_.push_back(factors_at(h));
+            views_.push_back(view_rule(edges_at(h)));
+            scattering_factors_.push_back(factors_at(air_.source_axis.inner_altitude_m(i)));
             rays_.emplace_back();
             for (const ViewRule::Angle& angle : views_.back().angles) rays_.back().emplace_back(air_, h, angle.mu, nodes_per_piece, source_size());
         }
@@ -171,8 +173,18 @@ private:
         return table;
     }
 
-    double altitude(int i) const {
-        return f64::altitude_of_coordinate(static_cast<double>(i) / (sizes_.altitude - 1), f64::Length::of(air_.shell.top_m)).value;
+    double altitude(int i) const { return air_.source_axis.altitude_m(i); }
+    // Where, by zenith angle, light jumps around a point: at the edge of each layer that ends below, and at the horizon.
+    std::vector<double> edges_at(double h) const {
+        std::vector<double> edges;
+        const auto add = [&](double lower) {
+            const double r = air_.shell.bottom_m + h;
+            edges.push_back(pi / 2.0 + std::acos((air_.shell.bottom_m + lower) / r));
+        };
+        for (auto jump = air_.densities.jumps_m().rbegin(); jump != air_.densities.jumps_m().rend(); ++jump)
+            if (*jump <= h) add(*jump);
+        add(0.0);
+        return edges;
     }
     double sun(int i) const { return f64::sun_of_coordinate(static_cast<double>(i) / (sizes_.sun - 1)).value; }
 
@@ -252,7 +264,7 @@ private:
             prepared.single(air_, transmittance_, mu_s, nu, single);
         } else {
             RayNodes nodes;
-            sample_ray(air_.shell, ray, air_.densities, air_.free_path_at(static_cast<float>(ray.altitude_m)), nodes_per_piece, nodes);
+            sample_ray(air_.shell, ray, air_.densities, air_.opacity, nodes_per_piece, nodes);
             single = gather(air_, transmittance_, {.single = true, .source = nullptr, .diffuse_on_ground = nullptr, .direct_on_ground = false}, nodes, nu).single;
         }
         for (std::size_t p = 0; p < optics_.parts.size(); ++p)

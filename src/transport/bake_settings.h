@@ -23,7 +23,7 @@ struct TableSizes {
 struct BakeSettings {
     TableSizes sizes;
     // Orders of scattering that are computed, >= 1. With 1, only single scattering is seen.
-    int orders = 5;
+    int orders = 6;
     // Whether the orders beyond are added as the geometric series that the last two computed begin (if orders >= 3).
     bool extrapolate = true;
     friend bool operator==(const BakeSettings&, const BakeSettings&) = default;

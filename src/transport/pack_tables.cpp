@@ -29,48 +29,42 @@ f32::Spectrum transmittance_of(const PackAir& air, const float* columns_m) {
     return exp(-optical_depth_of(air, columns_m));
 }
 
-float PackAir::free_path_at(float altitude_m) const {
-    float density[max_parts];
-    densities.at(altitude_m, density);
-    float most = 0.0f;
-    for (int w = 0; w < pack_size; ++w) {
-        float sum = 0.0f;
-        for (int p = 0; p < parts; ++p) sum += density[p] * extinction[static_cast<std::size_t>(p)].v[w];
-        most = std::max(most, sum);
-    }
-    return 1.0f / std::max(most, 1e-12f);
-}
-
-PackAir pack_air(const AirOptics& optics) {
+PackAir pack_air(const AirOptics& optics, const TableSizes& sizes) {
     std::vector<DensityProfile> profiles;
     for (const AirOptics::Part& part : optics.parts) profiles.push_back(part.profile);
-    PackAir air{.shell = {optics.bottom_radius.value, optics.top_altitude.value},
-                .densities = DensityTable(profiles, airlight::Length::of(optics.top_altitude.value)),
+    const double top_m = optics.top_altitude.value;
+    const DensityTable densities(profiles, airlight::Length::of(top_m));
+    PackAir air{.shell = {optics.bottom_radius.value, top_m},
+                .densities = densities,
                 .parts = static_cast<int>(optics.parts.size()),
                 .scattering = {},
                 .extinction = {},
                 .ground_albedo = narrowed<f32::Spectrum>(optics.ground_albedo),
                 .solar_irradiance = narrowed<f32::IrradianceSpectrum>(optics.solar_irradiance),
-                .sun_angular_radius = static_cast<float>(optics.sun.angular_radius)};
+                .sun_angular_radius = static_cast<float>(optics.sun.angular_radius),
+                .opacity = {},
+                .transmittance_axis = AltitudeAxis(top_m, densities.jumps_m(), sizes.transmittance_altitude),
+                .source_axis = AltitudeAxis(top_m, densities.jumps_m(), sizes.altitude)};
     for (std::size_t p = 0; p < optics.parts.size(); ++p) {
         air.scattering[p] = narrowed<f32::ScatteringSpectrum>(optics.parts[p].scattering);
         air.extinction[p] = narrowed<f32::ScatteringSpectrum>(optics.parts[p].extinction);
+        air.opacity[p] = *std::max_element(air.extinction[p].v, air.extinction[p].v + pack_size);
     }
     return air;
 }
 
-Table<f32::Spectrum, 2> transmittance_table(const PackAir& air, const TableSizes& sizes) {
-    Table<f32::Spectrum, 2> table({sizes.transmittance_mu, sizes.transmittance_altitude});
+Table<f32::Spectrum, 2> transmittance_table(const PackAir& air, int mu_size) {
+    Table<f32::Spectrum, 2> table({mu_size, air.transmittance_axis.size()});
     const f64::Length bottom = f64::Length::of(air.shell.bottom_m);
     const f64::Length top = f64::Length::of(air.shell.top_m);
-    parallel_for(static_cast<std::size_t>(sizes.transmittance_altitude), [&](std::size_t j) {
-        const f64::Length h = f64::altitude_of_coordinate(static_cast<double>(j) / (sizes.transmittance_altitude - 1), top);
+    parallel_for(static_cast<std::size_t>(air.transmittance_axis.size()), [&](std::size_t j) {
+        const f64::Length h = f64::Length::of(air.transmittance_axis.altitude_m(static_cast<int>(j)));
         RayNodes nodes;
-        for (int i = 0; i < sizes.transmittance_mu; ++i) {
+        for (int i = 0; i < mu_size; ++i) {
             // A hair above the horizon, so that the last ray does not meet the ground by rounding.
-            const double mu = std::max(f64::transmittance_cosine_of_coordinate(h, static_cast<double>(i) / (sizes.transmittance_mu - 1), bottom, top).value,
+            const double mu = std::max(f64::transmittance_cosine_of_coordinate(h, static_cast<double>(i) / (mu_size - 1), bottom, top).value,
                                        f64::horizon_cosine(h, bottom).value + 1e-12);
-            sample_ray(air.shell, {h.value, mu, 1.0, mu}, air.densities, 1e30, RayNodes::max_per_piece, nodes);
+            sample_ray(air.shell, {h.value, mu, 1.0, mu}, air.densities, {}, RayNodes::max_per_piece, nodes);
             table[{i, static_cast<int>(j)}] = optical_depth_of(air, nodes.total_column_m);
         }
     });
@@ -87,9 +81,8 @@ f32::Spectrum sun_transmittance(const PackAir& air, const Table<f32::Spectrum, 2
     const float part = air.sun_angular_radius > 0.0f ? disk_above(above / air.sun_angular_radius) : (above >= 0.0f ? 1.0f : 0.0f);
     if (part == 0.0f) return zero<f32::Spectrum>();
     const f32::Number x = f32::transmittance_cosine_coordinate(h, f32::Number(std::max(mu_s, horizon)), bottom, top);
-    const f32::Number y = f32::altitude_coordinate(h, top);
-    return exp(-transmittance.look_up({f32::texture_coordinate(x, transmittance.size()[0]).value, f32::texture_coordinate(y, transmittance.size()[1]).value})) *
-           f32::Number(part);
+    const int size = transmittance.size()[0];
+    return exp(-transmittance.at({texels_at(f32::texture_coordinate(x, size).value, size), air.transmittance_axis.at(altitude_m)})) * f32::Number(part);
 }
 
 f32::IrradianceSpectrum direct_irradiance(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, float altitude_m, float mu_s) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "transport/air_optics.h"
+#include "transport/altitude_axis.h"
 #include "transport/bake_settings.h"
 #include "transport/density_table.h"
 #include "transport/ray_nodes.h"
@@ -24,10 +25,12 @@ struct PackAir {
     f32::Spectrum ground_albedo;
     f32::IrradianceSpectrum solar_irradiance;
     float sun_angular_radius;
-    float free_path_at(float altitude_m) const;  // the shortest of the pack's, in metres
+    Opacity opacity;
+    AltitudeAxis transmittance_axis;
+    AltitudeAxis source_axis;  // of irradiance too
 };
 
-PackAir pack_air(const AirOptics& optics);
+PackAir pack_air(const AirOptics& optics, const TableSizes& sizes);
 
 struct PackTables {
     Table<f32::Spectrum, 2> transmittance;         // [mu][altitude]: from a point to the top of the atmosphere, as optical depth:
@@ -74,6 +77,6 @@ f32::Spectrum optical_depth_of(const PackAir& air, const float* columns_m);
 f32::Spectrum transmittance_of(const PackAir& air, const float* columns_m);
 
 // The transmittance table of an atmosphere.
-Table<f32::Spectrum, 2> transmittance_table(const PackAir& air, const TableSizes& sizes);
+Table<f32::Spectrum, 2> transmittance_table(const PackAir& air, int mu_size);
 
 }  // namespace airlight

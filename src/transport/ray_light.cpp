@@ -9,23 +9,19 @@ namespace airlight {
 
 namespace {
 
+AIRLIGHT_INLINE Texels sun_texels(float mu_s, int size) { return texels_at(f32::texture_coordinate(f32::sun_coordinate(mu_s), size).value, size); }
+AIRLIGHT_INLINE Texels azimuth_texels(float cos_phi, int size) { return texels_at(f32::texture_coordinate(f32::azimuth_coordinate(cos_phi), size).value, size); }
+AIRLIGHT_INLINE Texels view_texels(float mu, int size) { return texels_at(f32::texture_coordinate(f32::view_coordinate(mu), size).value, size); }
+
 // Light that the ground sends up where the ray ends.
 f32::RadianceSpectrum light_from_ground(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, const Gathered& what, float mu_s) {
     f32::IrradianceSpectrum sum = zero<f32::IrradianceSpectrum>();
     if (what.direct_on_ground) sum += direct_irradiance(air, transmittance, 0.0f, mu_s);
     if (what.diffuse_on_ground) {
         const auto& size = what.diffuse_on_ground->size();
-        sum += what.diffuse_on_ground->look_up({f32::texture_coordinate(f32::sun_coordinate(mu_s), size[0]).value, f32::texture_coordinate(0.0, size[1]).value});
+        sum += what.diffuse_on_ground->at({sun_texels(mu_s, size[0]), Texels{0, 0, 0.0f}});
     }
     return sum * air.ground_albedo * (1.0 / f32::pi * f32::per_sr);
-}
-
-Texels sun_texels(float mu_s, int size) { return texels_at(f32::texture_coordinate(f32::sun_coordinate(mu_s), size).value, size); }
-Texels azimuth_texels(float cos_phi, int size) { return texels_at(f32::texture_coordinate(f32::azimuth_coordinate(cos_phi), size).value, size); }
-Texels view_texels(float mu, int size) { return texels_at(f32::texture_coordinate(f32::view_coordinate(mu), size).value, size); }
-Texels altitude_texels(const PackAir& air, float altitude_m, int size) {
-    const f32::Length top = f32::Length::of(static_cast<float>(air.shell.top_m));
-    return texels_at(f32::texture_coordinate(f32::altitude_coordinate(f32::Length::of(altitude_m), top), size).value, size);
 }
 
 }  // namespace
@@ -45,7 +41,7 @@ RayLight gather(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance
             const auto& size = what.source->size();
             const float cos_phi = f32::relative_azimuth_cosine(nodes.mu[n], nodes.mu_s[n], nu).value;
             const f32::RadianceSpectrum source = what.source->at({sun_texels(nodes.mu_s[n], size[0]), azimuth_texels(cos_phi, size[1]),
-                                                                  view_texels(nodes.mu[n], size[2]), altitude_texels(air, nodes.altitude_m[n], size[3])});
+                                                                  view_texels(nodes.mu[n], size[2]), air.source_axis.at(nodes.altitude_m[n])});
             light.multiple += source * (weighted_sum(air.scattering, nodes.density[n], air.parts) * seen);
         }
     }
@@ -60,7 +56,7 @@ PreparedRay::PreparedRay(const PackAir& air, double altitude_m, double mu, int n
     : radius_m_(static_cast<float>(air.shell.bottom_m + altitude_m)) {
     RayNodes nodes;
     // A sun in the direction of the ray itself casts no shadow across it.
-    sample_ray(air.shell, {altitude_m, mu, mu, 1.0}, air.densities, air.free_path_at(static_cast<float>(altitude_m)), nodes_per_piece, nodes);
+    sample_ray(air.shell, {altitude_m, mu, mu, 1.0}, air.densities, air.opacity, nodes_per_piece, nodes);
     meets_ground_ = nodes.meets_ground;
     end_distance_m_ = nodes.end_distance_m;
     end_inverse_radius_ = static_cast<float>(1.0 / (air.shell.bottom_m + nodes.end_altitude_m));
@@ -77,7 +73,7 @@ PreparedRay::PreparedRay(const PackAir& air, double altitude_m, double mu, int n
         node.inverse_radius = static_cast<float>(1.0 / (air.shell.bottom_m + node.altitude_m));
         node.horizon = f32::horizon_cosine(f32::Length::of(node.altitude_m), f32::Length::of(static_cast<float>(air.shell.bottom_m))).value;
         node.view = view_texels(node.mu, source_size[2]);
-        node.altitude = altitude_texels(air, node.altitude_m, source_size[3]);
+        node.altitude = air.source_axis.at(node.altitude_m);
         nodes_.push_back(node);
     }
 }

@@ -93,8 +93,24 @@ private:
     std::array<double, RayNodes::max_pieces - 1> inner_{};
 };
 
-Cuts cuts_of(const Shell& shell, const Ray& ray, const Path& path, double length, double free_path, std::span<const double> jumps) {
+// The shortest mean free path just above or below an altitude: densities may jump there.
+double free_path_beside(double altitude, bool above, const DensityTable& densities, const Opacity& opacity) {
+    float density[max_parts];
+    densities.at(static_cast<float>(altitude * (above ? 1.0 + 1e-6 : 1.0 - 1e-6)), density);
+    double extinction = 0.0;
+    for (int p = 0; p < densities.parts(); ++p) extinction += static_cast<double>(density[p]) * static_cast<double>(opacity[static_cast<std::size_t>(p)]);
+    return 1.0 / std::max(extinction, 1e-12);
+}
+
+Cuts cuts_of(const Shell& shell, const Ray& ray, const Path& path, double length, const DensityTable& densities, const Opacity& opacity) {
     Cuts cuts(path.x0, path.x0 + length);
+    // Beyond some free paths little is seen: cuts there, unless little of the ray is left.
+    const auto add_free_paths = [&](double x, double altitude) {
+        const double free_path = free_path_beside(altitude, x >= 0.0, densities, opacity);
+        const double left = path.x0 + length - x;
+        for (const double t : {2.0 * free_path, 12.0 * free_path})
+            if (x >= path.x0 && t < 0.25 * left) cuts.add(x + t);
+    };
     cuts.add(0.0);
     // The shadow is a cylinder behind the planet: its axis points from the sun, its radius is the ground's.
     const double a = 1.0 - ray.nu * ray.nu;
@@ -106,14 +122,18 @@ Cuts cuts_of(const Shell& shell, const Ray& ray, const Path& path, double length
         for (const double t : {(-b - root) / a, (-b + root) / a})
             if (path.r0 * ray.mu_s + ray.nu * t < 0.0) cuts.add(path.x0 + t);
     }
-    for (const double altitude : jumps) {
-        const double squared = path.x0 * path.x0 + (altitude - path.h0) * (2.0 * shell.bottom_m + altitude + path.h0);
-        if (squared <= 0.0) continue;
-        cuts.add(std::sqrt(squared));
-        cuts.add(-std::sqrt(squared));
-    }
-    for (const double t : {2.0 * free_path, 12.0 * free_path})
-        if (t < 0.25 * length) cuts.add(path.x0 + t);
+    // Jumps first: they have to be cut, the rest helps.
+    const auto for_each_jump = [&](auto&& visit) {
+        for (const double altitude : densities.jumps_m()) {
+            const double squared = path.x0 * path.x0 + (altitude - path.h0) * (2.0 * shell.bottom_m + altitude + path.h0);
+            if (squared <= 0.0) continue;
+            visit(std::sqrt(squared), altitude);
+            visit(-std::sqrt(squared), altitude);
+        }
+    };
+    for_each_jump([&](double x, double) { cuts.add(x); });
+    for_each_jump(add_free_paths);
+    add_free_paths(path.x0, path.h0);
     return cuts;
 }
 
@@ -161,7 +181,7 @@ void add_piece(const Shell& shell, const Ray& ray, const Path& path, double x_a,
 
 }  // namespace
 
-void sample_ray(const Shell& shell, const Ray& ray, const DensityTable& densities, double free_path_m, int nodes_per_piece, RayNodes& nodes) {
+void sample_ray(const Shell& shell, const Ray& ray, const DensityTable& densities, const Opacity& opacity, int nodes_per_piece, RayNodes& nodes) {
     assert(nodes_per_piece >= 2 && nodes_per_piece <= RayNodes::max_per_piece);
     const f64::Length h = f64::Length::of(ray.altitude_m);
     const f64::Length bottom = f64::Length::of(shell.bottom_m);
@@ -181,7 +201,7 @@ void sample_ray(const Shell& shell, const Ray& ray, const DensityTable& densitie
     std::fill(nodes.total_column_m, nodes.total_column_m + max_parts, 0.0f);
     if (!(length > 0.0)) return;
 
-    const Cuts cuts = cuts_of(shell, ray, path, length, free_path_m, densities.jumps_m());
+    const Cuts cuts = cuts_of(shell, ray, path, length, densities, opacity);
     const PieceRule& rule = rule_of(nodes_per_piece);
     for (std::size_t i = 0; i < cuts.pieces(); ++i)
         add_piece(shell, ray, path, cuts.start(i), cuts.end(i), rule, densities, nodes.total_column_m, nodes);

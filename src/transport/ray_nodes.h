@@ -2,6 +2,8 @@
 // Theory: docs/theory.md, section 5.2. Uses the density table; knows nothing of wavelengths or of light.
 #pragma once
 
+#include <array>
+
 #include "physics/f64.h"
 #include "transport/density_table.h"
 
@@ -22,12 +24,12 @@ struct Ray {
     double limit_m = 1e300;  // where it ends, if it has not met the ground or left the air before
 };
 
-// A ray is cut at its perigee, where it enters or leaves the planet's shadow, where a density jumps, and after some mean free paths;
-// within a piece the nodes crowd, in altitude, quadratically towards its lower end. So neither the thin haze at the ground
-// nor the first kilometres of a horizontal ray is stepped over, which steps of equal length do.
+// A ray is cut at its perigee, where it enters or leaves the planet's shadow, where a density jumps, and some mean free paths after
+// its start and after each jump; within a piece the nodes crowd, in altitude, quadratically towards its lower end. So neither the
+// thin haze at the ground nor the first kilometres of a horizontal ray is stepped over, which steps of equal length do.
 struct RayNodes {
     static constexpr int max_per_piece = 24;
-    static constexpr int max_pieces = 10;
+    static constexpr int max_pieces = 24;
     static constexpr int capacity = max_per_piece * max_pieces;
 
     int count = 0;
@@ -45,8 +47,12 @@ struct RayNodes {
     float total_column_m[max_parts];       // to the end
 };
 
-// `nodes_per_piece`: 2 to RayNodes::max_per_piece. `free_path_m`: the shortest mean free path at the start, which places the cuts.
-void sample_ray(const Shell& shell, const Ray& ray, const DensityTable& densities, double free_path_m, int nodes_per_piece, RayNodes& nodes);
+// The greatest extinction of each part of the air, in 1/m where its density is 1, at the wavelengths that a ray is sampled for:
+// it places the cuts by free paths. With zeros there are none.
+using Opacity = std::array<float, max_parts>;
+
+// `nodes_per_piece`: 2 to RayNodes::max_per_piece.
+void sample_ray(const Shell& shell, const Ray& ray, const DensityTable& densities, const Opacity& opacity, int nodes_per_piece, RayNodes& nodes);
 
 // Moves a ray whose start lies above the air to where it enters; false if it misses the air. Exact to a few parts in 1e16 of the distance.
 bool enter_air(const Shell& shell, Ray& ray);

@@ -10,7 +10,7 @@ Tables::Tables(Atmosphere atmosphere, std::vector<Wavelength> wavelengths, BakeS
     assert(groups.size() == packs.size());
     for (std::size_t i = 0; i < groups.size(); ++i) {
         AirOptics optics = air_optics(atmosphere_, groups[i]);
-        PackAir air = pack_air(optics);
+        PackAir air = pack_air(optics, settings.sizes);
         packs_.push_back({std::move(optics), std::move(air), std::move(packs[i])});
     }
 }
