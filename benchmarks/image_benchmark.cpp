@@ -26,8 +26,7 @@ Image sky(float noise) {
     return image;
 }
 
-const std::filesystem::path file =
-    std::filesystem::temp_directory_path() / ("airlight-benchmark-" + std::to_string(::getpid()));
+const std::filesystem::path file = std::filesystem::temp_directory_path() / ("airlight-benchmark-" + std::to_string(::getpid()));
 
 void write_exr_float(benchmark::State& state) {
     const Image image = sky(0.01f);
@@ -36,8 +35,7 @@ void write_exr_float(benchmark::State& state) {
 }
 void write_exr_half(benchmark::State& state) {
     const Image image = sky(0.01f);
-    for (auto _ : state)
-        benchmark::DoNotOptimize(write_exr(file, image, ImageMeaning::rgb(RgbSpace::acescg), ExrPixels::float16));
+    for (auto _ : state) benchmark::DoNotOptimize(write_exr(file, image, ImageMeaning::rgb(RgbSpace::acescg), ExrPixels::float16));
     std::filesystem::remove(file);
 }
 void develop(benchmark::State& state) {

@@ -57,9 +57,16 @@ BENCHMARK(second_start)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void dome(benchmark::State& state) {
     const TableSky& sky = ready_sky();
-    for (auto _ : state) benchmark::DoNotOptimize(sky.dome(static_cast<double>(state.range(1)) * m, static_cast<double>(state.range(0)) * deg));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(sky.dome(static_cast<double>(state.range(1)) * m, static_cast<double>(state.range(0)) * deg));
 }
-BENCHMARK(dome)->ArgNames({"sun", "eye_m"})->Args({30, 0})->Args({94, 0})->Args({30, 400'000})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(dome)
+    ->ArgNames({"sun", "eye_m"})
+    ->Args({30, 0})
+    ->Args({94, 0})
+    ->Args({30, 400'000})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 void fisheye(benchmark::State& state) {
     const TableSky& sky = ready_sky();
@@ -67,7 +74,8 @@ void fisheye(benchmark::State& state) {
     const RgbConverter converter(RgbSpace::srgb, WhitePoint::d65);
     const SkyScene scene{.altitude = 2.0 * m, .sun_zenith = 45.0 * deg};
     const int side = static_cast<int>(state.range(0));
-    for (auto _ : state) benchmark::DoNotOptimize(sky_image(sky, earth().sun, scene, Fisheye{.width = side, .height = side}, weights, converter));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(sky_image(sky, earth().sun, scene, Fisheye{.width = side, .height = side}, weights, converter));
     state.SetItemsProcessed(state.iterations() * side * side);
 }
 BENCHMARK(fisheye)->ArgName("side")->Arg(1024)->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -22,9 +22,14 @@ Result<std::string> report_text(const std::string& text_or_path) {
 }  // namespace
 
 CLI::Option* add_air_inputs(CLI::App& app, AirInputs& inputs) {
-    CLI::Option* name = app.add_option("atmosphere", inputs.atmosphere, "a preset's name, or a file as docs/atmosphere-file.md describes it")->option_text("<preset|file>");
-    app.add_option("--metar", inputs.metar, "the same air under the weather of this report: its text, or a file")->option_text("<text|file>");
-    app.add_option("--aerosol", inputs.aerosol, "what the place's aerosol is, where the report does not say")->option_text("<type>")->capture_default_str();
+    CLI::Option* name =
+        app.add_option("atmosphere", inputs.atmosphere, "a preset's name, or a file as docs/atmosphere-file.md describes it")
+            ->option_text("<preset|file>");
+    app.add_option("--metar", inputs.metar, "the same air under the weather of this report: its text, or a file")
+        ->option_text("<text|file>");
+    app.add_option("--aerosol", inputs.aerosol, "what the place's aerosol is, where the report does not say")
+        ->option_text("<type>")
+        ->capture_default_str();
     return name;
 }
 

@@ -57,7 +57,8 @@ Result<Done> run(const AtmosphereOptions& given) {
     }
     const Result<WavelengthGrid> grid = parse_wavelength_grid(given.wavelengths);
     if (!grid) return at("--wavelengths", grid.error());
-    if (given.air.atmosphere.empty()) return Error{"", "no atmosphere is named", "Name a preset or a file; `airlight atmosphere --list` shows the presets."};
+    if (given.air.atmosphere.empty())
+        return Error{"", "no atmosphere is named", "Name a preset or a file; `airlight atmosphere --list` shows the presets."};
     const Result<AskedAir> d = asked_air(given.air);
     if (!d) return d.error();
     if (const auto covered = covers(d->atmosphere, grid->first(), grid->last()); !covered) return at(given.air.atmosphere, covered.error());
@@ -74,13 +75,15 @@ Command atmosphere_command(CLI::App& airlight) {
     CLI::App* atmosphere = airlight.add_subcommand("atmosphere", "Print what an atmosphere holds, and write it in full as a file.");
     add_air_inputs(*atmosphere, given->air);
     atmosphere->add_flag("--list", given->list, "print the presets' names and stop");
-    atmosphere->add_option("--wavelengths", given->wavelengths, "in nm: 450,550,650 or 360:830:16 (first, last, count)")->option_text("<grid>")->capture_default_str();
+    atmosphere->add_option("--wavelengths", given->wavelengths, "in nm: 450,550,650 or 360:830:16 (first, last, count)")
+        ->option_text("<grid>")
+        ->capture_default_str();
     atmosphere->add_option("-o,--output", given->output, "write the description, every table in full")->option_text("<file.toml>");
-    atmosphere->footer(help_footer(
-        "lines that begin with # (what the report led to; the planet), then CSV, one row a constituent and wavelength:\n"
-        "        constituent, wavelength_nm, optical_depth (vertical, extinction), single_scattering_albedo, asymmetry (mean\n"
-        "        cosine of the scattering angle), column_depth_km (of a layer of density one that holds as much); last, all",
-        "airlight atmosphere earth-clear --metar \"METAR EDDF 171950Z 05004KT 4000 HZ 22/12 Q1018\" -o hazy.toml"));
+    atmosphere->footer(
+        help_footer("lines that begin with # (what the report led to; the planet), then CSV, one row a constituent and wavelength:\n"
+                    "        constituent, wavelength_nm, optical_depth (vertical, extinction), single_scattering_albedo, asymmetry (mean\n"
+                    "        cosine of the scattering angle), column_depth_km (of a layer of density one that holds as much); last, all",
+                    "airlight atmosphere earth-clear --metar \"METAR EDDF 171950Z 05004KT 4000 HZ 22/12 Q1018\" -o hazy.toml"));
     return {atmosphere, [given] { return run(*given); }};
 }
 

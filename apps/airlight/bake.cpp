@@ -76,14 +76,17 @@ Result<Done> bake(const BakeOptions& given) {
     if (!asked) return asked.error();
     const auto start = std::chrono::steady_clock::now();
     ProgressLine line(given.quiet);
-    const Result<Tables> tables = cached_tables(asked->atmosphere, asked->wavelengths, asked->settings, asked->cache, line.progress(interrupt.token()));
+    const Result<Tables> tables =
+        cached_tables(asked->atmosphere, asked->wavelengths, asked->settings, asked->cache, line.progress(interrupt.token()));
     if (!tables) return tables.error();
     if (!given.output.empty()) {
         if (const Result<Done> saved = save(given.output, *asked, *tables); !saved) return saved.error();
         print_file(given.output);
     }
-    for (const std::filesystem::path& path : cache_files(asked->atmosphere, asked->wavelengths, asked->settings, asked->cache)) print_file(path);
-    fmt::print("{} wavelengths, {:.1f} s\n", asked->wavelengths.size(), std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    for (const std::filesystem::path& path : cache_files(asked->atmosphere, asked->wavelengths, asked->settings, asked->cache))
+        print_file(path);
+    fmt::print("{} wavelengths, {:.1f} s\n", asked->wavelengths.size(),
+               std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     return Done{};
 }
 
@@ -98,7 +101,8 @@ std::string entry_text(const CacheEntry& entry) {
     if (!entry.summary) return entry.summary.error().what;
     const TableFileSummary& s = *entry.summary;
     const std::string state = s.finished ? "" : fmt::format(", begun: {} orders done", s.orders_done);
-    return fmt::format("{}, {} wavelengths, {:g} to {:g} nm{}", printable(s.name), s.wavelengths.size(), s.wavelengths.front().in(nm), s.wavelengths.back().in(nm), state);
+    return fmt::format("{}, {} wavelengths, {:g} to {:g} nm{}", printable(s.name), s.wavelengths.size(), s.wavelengths.front().in(nm),
+                       s.wavelengths.back().in(nm), state);
 }
 
 Result<Done> list(const std::filesystem::path& folder) {
@@ -119,15 +123,23 @@ Command bake_command(CLI::App& airlight) {
     const auto given = std::make_shared<BakeOptions>();
     CLI::App* bake_app = airlight.add_subcommand("bake", "Make the tables of an atmosphere ahead, so that a later start takes no time.");
     bake_app->add_option("atmosphere", given->atmosphere, "a preset or a file; see docs/atmosphere-file.md")->option_text("<atmosphere>");
-    bake_app->add_option("--wavelengths", given->wavelengths, "in nm: 360:830:16 (first, last, count), 450,550,650, or standard")->option_text("<grid>")->capture_default_str();
-    bake_app->add_option("--orders", given->orders, "orders of scattering computed, 1 to 100; the rest is extrapolated from 3 on")->option_text("<count>")->capture_default_str();
-    bake_app->add_option("--sizes", given->sizes, "texels: sun x azimuth x view x altitude, transmittance")->option_text("<sizes>")->capture_default_str();
-    bake_app->add_option("--cache", given->cache, "where tables are kept (default: $XDG_CACHE_HOME/airlight or ~/.cache/airlight)")->option_text("<folder>");
+    bake_app->add_option("--wavelengths", given->wavelengths, "in nm: 360:830:16 (first, last, count), 450,550,650, or standard")
+        ->option_text("<grid>")
+        ->capture_default_str();
+    bake_app->add_option("--orders", given->orders, "orders of scattering computed, 1 to 100; the rest is extrapolated from 3 on")
+        ->option_text("<count>")
+        ->capture_default_str();
+    bake_app->add_option("--sizes", given->sizes, "texels: sun x azimuth x view x altitude, transmittance")
+        ->option_text("<sizes>")
+        ->capture_default_str();
+    bake_app->add_option("--cache", given->cache, "where tables are kept (default: $XDG_CACHE_HOME/airlight or ~/.cache/airlight)")
+        ->option_text("<folder>");
     bake_app->add_option("-o,--output", given->output, "also write one file of all tables; see docs/table-file.md")->option_text("<file>");
     bake_app->add_flag("--list", given->list, "print what the cache holds, and bake nothing");
     bake_app->add_flag("--quiet", given->quiet, "no progress on standard error");
-    bake_app->footer(help_footer("a line a file, with its size; then the time taken. Ctrl-C stops, and the same command goes on from there.",
-                                 "airlight bake earth-clear --sizes 16x8x16x8 --orders 2 --cache tables"));
+    bake_app->footer(
+        help_footer("a line a file, with its size; then the time taken. Ctrl-C stops, and the same command goes on from there.",
+                    "airlight bake earth-clear --sizes 16x8x16x8 --orders 2 --cache tables"));
     bake_app->callback([given] {
         if (given->atmosphere.empty() && !given->list) throw CLI::RequiredError("<atmosphere>");
     });

@@ -24,10 +24,8 @@ std::string usage(const CLI::App& app) {
 
 std::string option_line(const CLI::Option& option) {
     std::string note;
-    if (option.get_required())
-        note = "  (required)";
-    else if (!option.get_default_str().empty())
-        note = fmt::format("  (default: {})", option.get_default_str());
+    if (option.get_required()) note = "  (required)";
+    else if (!option.get_default_str().empty()) note = fmt::format("  (default: {})", option.get_default_str());
     return fmt::format("  {:<24}  {}{}\n", typed(option), option.get_description(), note);
 }
 

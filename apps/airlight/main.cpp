@@ -25,8 +25,7 @@ constexpr int wrong_usage = 2;
 // What was printed has reached its file or pipe: a full disk is an error too.
 Result<Done> printed() {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return Done{};
-    return Error{"standard output", fmt::format("cannot be written: {}", std::strerror(errno)),
-                 "Check that the disk is not full."};
+    return Error{"standard output", fmt::format("cannot be written: {}", std::strerror(errno)), "Check that the disk is not full."};
 }
 
 int run(const Command& command) {
@@ -53,12 +52,8 @@ int main(int argc, char** argv) {
     app.failure_message(usage_message);
     app.require_subcommand(1);
     const std::vector<Command> commands = {
-        airlight::cli::atmosphere_command(app),
-        airlight::cli::bake_command(app),
-        airlight::cli::mie_command(app),
-        airlight::cli::models_command(app),
-        airlight::cli::probe_command(app),
-        airlight::cli::sky_command(app),
+        airlight::cli::atmosphere_command(app), airlight::cli::bake_command(app),  airlight::cli::mie_command(app),
+        airlight::cli::models_command(app),     airlight::cli::probe_command(app), airlight::cli::sky_command(app),
         airlight::cli::sun_command(app),
     };
     try {

@@ -39,7 +39,9 @@ std::optional<Error> out_of_range(const MieOptions& given) {
     if (given.angles && (*given.angles < 2 || *given.angles > 1000000)) return error("--angles", *given.angles, "from 2 to 1000000");
     const double x = size_parameter(given);
     if (!(x >= smallest_size && x <= greatest_size))
-        return Error{"--radius-um", fmt::format("the size parameter 2 pi r / wavelength is {:.6g}, out of range: it must be from {} to {}", x, smallest_size, greatest_size),
+        return Error{"--radius-um",
+                     fmt::format("the size parameter 2 pi r / wavelength is {:.6g}, out of range: it must be from {} to {}", x,
+                                 smallest_size, greatest_size),
                      "Above it use geometric optics."};
     return std::nullopt;
 }
@@ -77,10 +79,11 @@ Command mie_command(CLI::App& airlight) {
     mie->add_option("--n", given->n, "real part of its refractive index n - ik, above 0")->option_text("<n>")->required();
     mie->add_option("--k", given->k, "imaginary part; 0 does not absorb")->option_text("<k>")->capture_default_str();
     mie->add_option("--angles", given->angles, "print so many scattering angles, 0 to 180, instead")->option_text("<count>");
-    mie->footer(help_footer("CSV, one row: qext, qsca, qabs (cross-sections over pi r^2), g (mean cosine of the scattering angle);\n"
-                            "        with --angles, a row an angle: angle_deg, m11 (the Mueller element (|S1|^2 + |S2|^2) / 2),\n"
-                            "        polarisation (degree, linear, of scattered natural light), phase_per_sr",
-                            "airlight mie --radius-um 1 --wavelength-nm 500 --n 1.5 --k 0"));
+    mie->footer(
+        help_footer("CSV, one row: qext, qsca, qabs (cross-sections over pi r^2), g (mean cosine of the scattering angle);\n"
+                    "        with --angles, a row an angle: angle_deg, m11 (the Mueller element (|S1|^2 + |S2|^2) / 2),\n"
+                    "        polarisation (degree, linear, of scattered natural light), phase_per_sr",
+                    "airlight mie --radius-um 1 --wavelength-nm 500 --n 1.5 --k 0"));
     return {mie, [given] { return run(*given); }};
 }
 

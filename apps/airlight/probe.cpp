@@ -45,11 +45,14 @@ Command probe_command(CLI::App& airlight) {
     probe->add_option("--zenith", given->zenith_deg, "zenith angle of the view, 0 (straight up) to 180")->option_text("<deg>")->required();
     probe->add_option("--azimuth", given->azimuth_deg, "azimuth of the view from the sun's")->option_text("<deg>")->capture_default_str();
     probe->add_option("--sun", given->sun_deg, "zenith angle of the sun, 0 to 180")->option_text("<deg>")->capture_default_str();
-    probe->add_option("--altitude-m", given->altitude_m, "height of the eye above the ground, 0 or more; space is fine")->option_text("<m>")->capture_default_str();
+    probe->add_option("--altitude-m", given->altitude_m, "height of the eye above the ground, 0 or more; space is fine")
+        ->option_text("<m>")
+        ->capture_default_str();
     add_sky_inputs(*probe, given->inputs);
-    probe->footer(help_footer("CSV, one row a wavelength: wavelength_nm, radiance_W_m-2_sr-1_nm-1, standard_error (0 for tables).\n"
-                              "        The sun's disk is not part of the radiance.",
-                              "airlight probe earth-clear --zenith 80 --sun 60 --sizes 16x8x16x8 --orders 3 --cache tables"));
+    probe->footer(
+        help_footer("CSV, one row a wavelength: wavelength_nm, radiance_W_m-2_sr-1_nm-1, standard_error (0 for tables).\n"
+                    "        The sun's disk is not part of the radiance.",
+                    "airlight probe earth-clear --zenith 80 --sun 60 --sizes 16x8x16x8 --orders 3 --cache tables"));
     return {probe, [given] { return run(*given); }};
 }
 

@@ -11,7 +11,8 @@ namespace airlight::cli {
 
 namespace {
 
-Result<std::unique_ptr<Sky>> table_sky(const SkyInputs& inputs, const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, const Progress& progress) {
+Result<std::unique_ptr<Sky>> table_sky(const SkyInputs& inputs, const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths,
+                                       const Progress& progress) {
     BakeSettings wanted{.sizes = {}, .orders = inputs.orders};
     if (!inputs.sizes.empty()) {
         const Result<TableSizes> sizes = parse_table_sizes(inputs.sizes);
@@ -28,7 +29,8 @@ Result<std::unique_ptr<Sky>> table_sky(const SkyInputs& inputs, const Atmosphere
     return std::unique_ptr<Sky>(std::make_unique<TableSky>(std::make_shared<const Tables>(std::move(*tables))));
 }
 
-Result<std::unique_ptr<Sky>> reference_sky(const SkyInputs& inputs, const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, const Progress& progress) {
+Result<std::unique_ptr<Sky>> reference_sky(const SkyInputs& inputs, const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths,
+                                           const Progress& progress) {
     if (inputs.paths < 1) return Error{"--paths", fmt::format("{} is out of range: it must be 1 or more", inputs.paths), ""};
     Result<Reference> reference = Reference::of(atmosphere, std::move(wavelengths));
     if (!reference) return reference.error();
@@ -40,13 +42,21 @@ Result<std::unique_ptr<Sky>> reference_sky(const SkyInputs& inputs, const Atmosp
 
 void add_sky_inputs(CLI::App& app, SkyInputs& inputs) {
     add_air_inputs(app, inputs.air)->required();
-    app.add_option("--wavelengths", inputs.wavelengths, "in nm: 450,550,650 or 360:830:16 (first, last, count)")->option_text("<grid>")->capture_default_str();
-    app.add_option("--model", inputs.model, "tables (fast) or reference (Monte Carlo, with standard errors)")->option_text("<name>")->capture_default_str();
-    app.add_option("--orders", inputs.orders, "tables: orders of scattering computed, the rest extrapolated")->option_text("<n>")->capture_default_str();
-    app.add_option("--sizes", inputs.sizes, "tables: texels of sun x azimuth x view x altitude (default: 64x16x32x32)")->option_text("<sizes>");
+    app.add_option("--wavelengths", inputs.wavelengths, "in nm: 450,550,650 or 360:830:16 (first, last, count)")
+        ->option_text("<grid>")
+        ->capture_default_str();
+    app.add_option("--model", inputs.model, "tables (fast) or reference (Monte Carlo, with standard errors)")
+        ->option_text("<name>")
+        ->capture_default_str();
+    app.add_option("--orders", inputs.orders, "tables: orders of scattering computed, the rest extrapolated")
+        ->option_text("<n>")
+        ->capture_default_str();
+    app.add_option("--sizes", inputs.sizes, "tables: texels of sun x azimuth x view x altitude (default: 64x16x32x32)")
+        ->option_text("<sizes>");
     app.add_option("--paths", inputs.paths, "reference: paths in each direction")->option_text("<n>")->capture_default_str();
     app.add_option("--seed", inputs.seed, "reference: the same seed gives the same digits")->option_text("<n>")->capture_default_str();
-    app.add_option("--cache", inputs.cache, "where tables are kept (default: $XDG_CACHE_HOME/airlight or ~/.cache/airlight)")->option_text("<folder>");
+    app.add_option("--cache", inputs.cache, "where tables are kept (default: $XDG_CACHE_HOME/airlight or ~/.cache/airlight)")
+        ->option_text("<folder>");
     app.add_flag("--quiet", inputs.quiet, "no progress on standard error");
 }
 
@@ -55,11 +65,13 @@ Result<AskedSky> asked_sky(const SkyInputs& inputs, const Progress& progress) {
     if (!air) return air.error();
     Result<WavelengthGrid> grid = parse_wavelength_grid(inputs.wavelengths);
     if (!grid) return at("--wavelengths", grid.error());
-    if (const Result<Done> covered = covers(air->atmosphere, grid->first(), grid->last()); !covered) return at(inputs.air.atmosphere, covered.error());
+    if (const Result<Done> covered = covers(air->atmosphere, grid->first(), grid->last()); !covered)
+        return at(inputs.air.atmosphere, covered.error());
     const std::vector<Wavelength> wavelengths(grid->begin(), grid->end());
     if (inputs.model != "tables" && inputs.model != "reference") {
         const std::string near = nearest_word(inputs.model, "tables reference");
-        return Error{"--model", fmt::format("\"{}\" is no model: it must be tables or reference", inputs.model), near.empty() ? "" : fmt::format("Did you mean {}?", near)};
+        return Error{"--model", fmt::format("\"{}\" is no model: it must be tables or reference", inputs.model),
+                     near.empty() ? "" : fmt::format("Did you mean {}?", near)};
     }
     Result<std::unique_ptr<Sky>> sky = inputs.model == "tables" ? table_sky(inputs, air->atmosphere, wavelengths, progress)
                                                                 : reference_sky(inputs, air->atmosphere, wavelengths, progress);

@@ -44,8 +44,8 @@ void print_position(const Question& q, bool moon) {
     const SunPosition sun = sun_position(q.place, q.time, q.options);
     fmt::print("body,time_utc,zenith_deg,azimuth_deg,distance_au,angular_radius_deg,illuminated_fraction\n");
     const auto row = [&](const char* body, const HorizontalDirection& d, double au, double radius, double lit) {
-        fmt::print("{},{},{:.5f},{:.5f},{:.8f},{:.5f},{:.4f}\n", body, utc_text(q.time), d.zenith / deg, d.azimuth / deg, au,
-                   radius / deg, lit);
+        fmt::print("{},{},{:.5f},{:.5f},{:.8f},{:.5f},{:.4f}\n", body, utc_text(q.time), d.zenith / deg, d.azimuth / deg, au, radius / deg,
+                   lit);
     };
     row("sun", sun.direction, sun.distance_au, sun.angular_radius, 1.0);
     if (!moon) return;
@@ -79,10 +79,8 @@ void print_events(const Question& q, bool moon) {
 Result<Done> run(const SunOptions& given) {
     const Result<Question> q = question(given);
     if (!q) return q.error();
-    if (given.events)
-        print_events(*q, given.moon);
-    else
-        print_position(*q, given.moon);
+    if (given.events) print_events(*q, given.moon);
+    else print_position(*q, given.moon);
     return Done{};
 }
 
@@ -91,9 +89,7 @@ Result<Done> run(const SunOptions& given) {
 Command sun_command(CLI::App& airlight) {
     const auto given = std::make_shared<SunOptions>();
     CLI::App* sun = airlight.add_subcommand("sun", "Print where the sun stands in the sky of a place at a time.");
-    sun->add_option("--lat", given->latitude_deg, "geodetic latitude, north positive, -90 to 90")
-        ->option_text("<deg>")
-        ->required();
+    sun->add_option("--lat", given->latitude_deg, "geodetic latitude, north positive, -90 to 90")->option_text("<deg>")->required();
     sun->add_option("--lon", given->longitude_deg, "longitude, east positive, -180 to 180")->option_text("<deg>")->required();
     sun->add_option("--time", given->time, "ISO 8601, years 1900 to 2100; UTC unless it ends in an offset (-07:00)")
         ->option_text("<time>")

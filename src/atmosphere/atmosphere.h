@@ -24,8 +24,9 @@ struct Constituent {
 
 // A disk at infinity. Limb darkening: I(mu) / I(1) = 1 - sum over k of u_k (1 - mu)^k, k = 1, 2; 0 is a uniform disk.
 struct Sun {
-    SpectrumOf<SpectralIrradiance> irradiance = SpectrumOf<SpectralIrradiance>::constant(1.0 * W_per_m2_nm);  // on a plane facing it, above the air
-    double angular_radius = 0.0;  // radians; 0 is a point
+    SpectrumOf<SpectralIrradiance> irradiance =
+        SpectrumOf<SpectralIrradiance>::constant(1.0 * W_per_m2_nm);  // on a plane facing it, above the air
+    double angular_radius = 0.0;                                      // radians; 0 is a point
     SpectrumOf<Number> limb_darkening_1 = SpectrumOf<Number>::constant(0.0);
     SpectrumOf<Number> limb_darkening_2 = SpectrumOf<Number>::constant(0.0);
     friend bool operator==(const Sun&, const Sun&) = default;

@@ -25,7 +25,8 @@ Result<Atmosphere> read_atmosphere(const std::filesystem::path& path);
 std::string atmosphere_text(const Atmosphere& atmosphere, const std::vector<std::string>& comments = {});
 
 // Writes atmosphere_text() whole or not at all.
-Result<Done> write_atmosphere(const std::filesystem::path& path, const Atmosphere& atmosphere, const std::vector<std::string>& comments = {});
+Result<Done> write_atmosphere(const std::filesystem::path& path, const Atmosphere& atmosphere,
+                              const std::vector<std::string>& comments = {});
 
 // What a user names on the command line: a preset (presets.h), or else a file.
 Result<Atmosphere> atmosphere_named(const std::string& preset_or_path);

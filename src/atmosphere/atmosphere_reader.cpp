@@ -22,7 +22,8 @@ bool contains(const Names& names, const std::string& name) { return std::find(na
 void read_planet(TomlInput& file, Atmosphere& a, bool has_base) {
     auto planet = file.table("planet");
     if (!planet) {
-        if (!file.has("planet") && !has_base) file.refuse_missing("planet", "Write [planet], radius = \"6371 km\", top = \"100 km\"; or start from base = \"earth-clear\".");
+        if (!file.has("planet") && !has_base)
+            file.refuse_missing("planet", "Write [planet], radius = \"6371 km\", top = \"100 km\"; or start from base = \"earth-clear\".");
         return;
     }
     if (!has_base) {
@@ -39,10 +40,8 @@ void read_ground(TomlInput& file, Atmosphere& a) {
     if (!ground) return;
     if (ground->is_text("albedo")) {
         const auto material = ground_material(*ground->text("albedo"));
-        if (material)
-            a.ground_albedo = *material;
-        else
-            ground->refuse("albedo", material.error().what, material.error().remedy);
+        if (material) a.ground_albedo = *material;
+        else ground->refuse("albedo", material.error().what, material.error().remedy);
     } else if (const auto albedo = read_numbers(*ground, "albedo")) {
         a.ground_albedo = *albedo;
     }
@@ -72,8 +71,7 @@ void read_sun(TomlInput& file, Atmosphere& a) {
     if (const auto distance = sun->number("distance_au")) {
         if (!(*distance >= 0.01 && *distance <= 1000.0))
             sun->refuse("distance_au", "it must be from 0.01 to 1000", "The Earth is at 1, Mars near 1.52.");
-        else
-            a.sun = sun_at(*distance);
+        else a.sun = sun_at(*distance);
     }
     if (const auto spectrum = read_solar_spectrum(*sun)) {
         if (sun->has("distance_au")) sun->refuse("spectrum", "distance_au has set the spectrum already", "Give only one of the two.");
@@ -100,7 +98,8 @@ Names name_constituents(std::vector<TomlInput>& tables) {
         const std::string kind = table.is_text("kind") ? *table.text("kind") : "constituent";
         names.push_back(table.is_text("name") ? *table.text("name") : kind);
         table.set_path(names.back());
-        if (std::count(names.begin(), names.end(), names.back()) > 1) table.refuse("name", "two constituents of this file have this name", "Give each a name of its own.");
+        if (std::count(names.begin(), names.end(), names.back()) > 1)
+            table.refuse("name", "two constituents of this file have this name", "Give each a name of its own.");
     }
     return names;
 }
@@ -108,7 +107,8 @@ Names name_constituents(std::vector<TomlInput>& tables) {
 // Aerosols are made last, for their amount may depend on the air. Those of the base that the file does not name come
 // first, then the file's, in its order.
 void read_constituents(TomlInput& file, Atmosphere& a, std::vector<TomlInput> tables, const Names& replaced) {
-    if (tables.size() > max_constituents) file.refuse("constituent", fmt::format("there must be at most {}", max_constituents), "Join those that have the same profile.");
+    if (tables.size() > max_constituents)
+        file.refuse("constituent", fmt::format("there must be at most {}", max_constituents), "Join those that have the same profile.");
     const Names names = name_constituents(tables);
     std::erase_if(a.constituents, [&](const Constituent& c) { return contains(names, c.name); });
     if (file.failed()) return;
@@ -159,7 +159,8 @@ unsigned line_of_key(const toml::table& root, std::string_view key) {
     const toml::table* table = root.get_as<toml::table>(first);
     if (const auto* array = root.get_as<toml::array>("constituent"); !table && array)
         for (const toml::node& element : *array)
-            if (const auto* candidate = element.as_table(); candidate && (*candidate)[candidate->contains("name") ? "name" : "kind"].value_or(std::string_view{}) == first)
+            if (const auto* candidate = element.as_table();
+                candidate && (*candidate)[candidate->contains("name") ? "name" : "kind"].value_or(std::string_view{}) == first)
                 table = candidate;
     if (!table) return 0;
     const toml::node* node = table->get(second);
@@ -195,7 +196,8 @@ Result<Atmosphere> parse_atmosphere(std::string_view toml, std::string_view file
     try {
         return read_table(toml::parse(toml), file, {});
     } catch (const toml::parse_error& error) {  // toml++ is built to throw; no exception leaves this function
-        return Error{fmt::format("{}:{}", file, error.source().begin.line), fmt::format("it is not TOML: {}", error.description()), "See docs/atmosphere-file.md."};
+        return Error{fmt::format("{}:{}", file, error.source().begin.line), fmt::format("it is not TOML: {}", error.description()),
+                     "See docs/atmosphere-file.md."};
     }
 }
 

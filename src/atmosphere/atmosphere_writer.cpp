@@ -15,10 +15,8 @@ std::string toml_string(std::string_view text) {
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
         if (c == '"' || c == '\\') out += '\\';
-        if (byte < 0x20 || byte == 0x7f)
-            out += fmt::format("\\u{:04X}", byte);
-        else
-            out += c;
+        if (byte < 0x20 || byte == 0x7f) out += fmt::format("\\u{:04X}", byte);
+        else out += c;
     }
     return out + '"';
 }
@@ -59,19 +57,24 @@ std::string coefficients_text(const SpectrumOf<InverseLength>& spectrum) {
 
 std::string profile_text(const DensityProfile& profile) {
     const auto length = [](Length x) { return toml_string(length_text(x)); };
-    return std::visit(
-        Overloaded{
-            [&](const ExponentialProfile& p) {
-                const std::string top = p == ExponentialProfile{p.scale_height} ? "" : fmt::format(", top = {}", length(p.top));
-                return fmt::format("{{ kind = \"exponential\", scale_height = {}{} }}", length(p.scale_height), top);
-            },
-            [&](const LayerProfile& p) { return fmt::format("{{ kind = \"layer\", low = {}, high = {} }}", length(p.low), length(p.high)); },
-            [&](const TriangleProfile& p) {
-                return fmt::format("{{ kind = \"triangle\", low = {}, peak = {}, high = {} }}", length(p.low), length(p.peak), length(p.high));
-            },
-            [&](const TabulatedProfile& p) { return fmt::format("{{ kind = \"tabulated\", {} }}", columns_text(p.densities, "altitude_m", "density")); },
-        },
-        profile);
+    return std::visit(Overloaded{
+                          [&](const ExponentialProfile& p) {
+                              const std::string top =
+                                  p == ExponentialProfile{p.scale_height} ? "" : fmt::format(", top = {}", length(p.top));
+                              return fmt::format("{{ kind = \"exponential\", scale_height = {}{} }}", length(p.scale_height), top);
+                          },
+                          [&](const LayerProfile& p) {
+                              return fmt::format("{{ kind = \"layer\", low = {}, high = {} }}", length(p.low), length(p.high));
+                          },
+                          [&](const TriangleProfile& p) {
+                              return fmt::format("{{ kind = \"triangle\", low = {}, peak = {}, high = {} }}", length(p.low), length(p.peak),
+                                                 length(p.high));
+                          },
+                          [&](const TabulatedProfile& p) {
+                              return fmt::format("{{ kind = \"tabulated\", {} }}", columns_text(p.densities, "altitude_m", "density"));
+                          },
+                      },
+                      profile);
 }
 
 // Degrees if every angle survives them, else radians.
@@ -86,29 +89,34 @@ std::string angles_text(const std::vector<double>& angles) {
 std::string tabulated_phase_text(const TabulatedPhase& p) {
     std::vector<double> wavelengths;
     for (const Wavelength w : p.wavelengths) wavelengths.push_back(w.value);
-    std::string out = fmt::format("kind = \"tabulated\"\n{}\nwavelength_nm = {}\nvalue_per_sr = [\n", angles_text(p.angles), array_text(wavelengths));
+    std::string out =
+        fmt::format("kind = \"tabulated\"\n{}\nwavelength_nm = {}\nvalue_per_sr = [\n", angles_text(p.angles), array_text(wavelengths));
     for (const auto& row : p.values) out += "  " + array_text(row) + ",\n";
     return out + "]\n";
 }
 
 std::string phase_text(const PhaseFunction& phase) {
-    return std::visit(Overloaded{
-                          [](const IsotropicPhase&) { return std::string("kind = \"isotropic\"\n"); },
-                          [](const RayleighPhase& p) { return fmt::format("kind = \"rayleigh\"\ndepolarisation = {}\n", p.depolarisation); },
-                          [](const HenyeyGreensteinPhase& p) { return fmt::format("kind = \"henyey_greenstein\"\ng = {}\n", numbers_text(p.g)); },
-                          [](const CornetteShanksPhase& p) { return fmt::format("kind = \"cornette_shanks\"\ng = {}\n", numbers_text(p.g)); },
-                          [](const TabulatedPhase& p) { return tabulated_phase_text(p); },
-                      },
-                      phase);
+    return std::visit(
+        Overloaded{
+            [](const IsotropicPhase&) { return std::string("kind = \"isotropic\"\n"); },
+            [](const RayleighPhase& p) { return fmt::format("kind = \"rayleigh\"\ndepolarisation = {}\n", p.depolarisation); },
+            [](const HenyeyGreensteinPhase& p) { return fmt::format("kind = \"henyey_greenstein\"\ng = {}\n", numbers_text(p.g)); },
+            [](const CornetteShanksPhase& p) { return fmt::format("kind = \"cornette_shanks\"\ng = {}\n", numbers_text(p.g)); },
+            [](const TabulatedPhase& p) { return tabulated_phase_text(p); },
+        },
+        phase);
 }
 
 std::string constituent_text(const Constituent& c) {
-    return fmt::format("\n[[constituent]]\nname = {}\nkind = \"generic\"\nprofile = {}\nscattering = {}\nabsorption = {}\n[constituent.phase]\n{}",
-                       toml_string(c.name), profile_text(c.profile), coefficients_text(c.scattering), coefficients_text(c.absorption), phase_text(c.phase));
+    return fmt::format(
+        "\n[[constituent]]\nname = {}\nkind = \"generic\"\nprofile = {}\nscattering = {}\nabsorption = {}\n[constituent.phase]\n{}",
+        toml_string(c.name), profile_text(c.profile), coefficients_text(c.scattering), coefficients_text(c.absorption),
+        phase_text(c.phase));
 }
 
 std::string sun_text(const Sun& sun) {
-    return fmt::format("[sun]\nangular_radius = {}\nspectrum = {}\nlimb_darkening_1 = {}\nlimb_darkening_2 = {}\n", toml_string(angle_text(sun.angular_radius)),
+    return fmt::format("[sun]\nangular_radius = {}\nspectrum = {}\nlimb_darkening_1 = {}\nlimb_darkening_2 = {}\n",
+                       toml_string(angle_text(sun.angular_radius)),
                        spectrum_text(sun.irradiance, "irradiance_W_m-2_nm-1", fmt::format("{}", sun.irradiance.samples().front().y.value)),
                        numbers_text(sun.limb_darkening_1), numbers_text(sun.limb_darkening_2));
 }
@@ -118,8 +126,8 @@ std::string sun_text(const Sun& sun) {
 std::string atmosphere_text(const Atmosphere& a, const std::vector<std::string>& comments) {
     std::string out;
     for (const std::string& line : comments) out += "# " + line + '\n';
-    out += fmt::format("name = {}\n\n[planet]\nradius = {}\ntop = {}\n\n[ground]\nalbedo = {}\n\n", toml_string(a.name), toml_string(length_text(a.bottom_radius)),
-                       toml_string(length_text(a.top_altitude)), numbers_text(a.ground_albedo));
+    out += fmt::format("name = {}\n\n[planet]\nradius = {}\ntop = {}\n\n[ground]\nalbedo = {}\n\n", toml_string(a.name),
+                       toml_string(length_text(a.bottom_radius)), toml_string(length_text(a.top_altitude)), numbers_text(a.ground_albedo));
     out += sun_text(a.sun);
     for (const Constituent& c : a.constituents) out += constituent_text(c);
     return out;

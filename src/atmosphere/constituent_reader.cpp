@@ -48,7 +48,8 @@ std::optional<Constituent> read_air(TomlInput& input) {
 std::optional<Constituent> read_carbon_dioxide(TomlInput& input) {
     const auto profile = read_profile(input, "profile");
     if (!profile && !input.has("profile")) input.refuse_missing("profile", "Mars: { kind = \"exponential\", scale_height = \"11.1 km\" }.");
-    if (!input.has("number_density_per_cm3")) input.refuse_missing("number_density_per_cm3", "It is that where the profile is 1; the ground of Mars has about 2.1e17.");
+    if (!input.has("number_density_per_cm3"))
+        input.refuse_missing("number_density_per_cm3", "It is that where the profile is 1; the ground of Mars has about 2.1e17.");
     const auto density = number_within(input, "number_density_per_cm3", 0.0, 1e25);
     if (!profile || !density) return {};
     return carbon_dioxide_constituent(*profile, *density * per_cm3);
@@ -67,7 +68,8 @@ std::optional<Constituent> read_absorber(TomlInput& input, Gas kind) {
 std::optional<Constituent> read_generic(TomlInput& input) {
     Constituent made;
     const auto profile = read_profile(input, "profile");
-    if (!profile && !input.has("profile")) input.refuse_missing("profile", "Give its density by altitude, such as { kind = \"exponential\", scale_height = \"8 km\" }.");
+    if (!profile && !input.has("profile"))
+        input.refuse_missing("profile", "Give its density by altitude, such as { kind = \"exponential\", scale_height = \"8 km\" }.");
     if (const auto scattering = read_coefficients(input, "scattering")) made.scattering = *scattering;
     if (const auto absorption = read_coefficients(input, "absorption")) made.absorption = *absorption;
     if (const auto phase = read_phase(input, "phase")) made.phase = *phase;
@@ -83,18 +85,12 @@ std::optional<Constituent> read_constituent(TomlInput& input) {
     const auto kind = input.need(&TomlInput::text, "kind", fmt::format("It is one of: {}.", constituent_kinds));
     if (!kind) return {};
     std::optional<Constituent> made;
-    if (*kind == "air")
-        made = read_air(input);
-    else if (*kind == "carbon_dioxide")
-        made = read_carbon_dioxide(input);
-    else if (*kind == "ozone")
-        made = read_absorber(input, Gas::ozone);
-    else if (*kind == "nitrogen_dioxide")
-        made = read_absorber(input, Gas::nitrogen_dioxide);
-    else if (*kind == "generic")
-        made = read_generic(input);
-    else
-        input.refuse_word("kind", constituent_kinds);
+    if (*kind == "air") made = read_air(input);
+    else if (*kind == "carbon_dioxide") made = read_carbon_dioxide(input);
+    else if (*kind == "ozone") made = read_absorber(input, Gas::ozone);
+    else if (*kind == "nitrogen_dioxide") made = read_absorber(input, Gas::nitrogen_dioxide);
+    else if (*kind == "generic") made = read_generic(input);
+    else input.refuse_word("kind", constituent_kinds);
     input.refuse_unknown_keys();
     if (made) made->name = name.value_or(*kind);
     return made;
@@ -115,12 +111,16 @@ std::optional<AerosolAmount> read_angstrom(TomlInput& amount) {
 std::optional<AerosolAmount> read_visibility(TomlInput& amount) {
     const auto distance = amount.length("visibility");
     const auto contrast = amount.number("contrast");
-    if (contrast && !amount.has("visibility")) amount.refuse("contrast", "it says how far a visibility is, and none is given", "Give the visibility too, or leave the contrast out.");
+    if (contrast && !amount.has("visibility"))
+        amount.refuse("contrast", "it says how far a visibility is, and none is given",
+                      "Give the visibility too, or leave the contrast out.");
     if (!distance) return {};
     return Visibility{*distance, contrast.value_or(range_contrast)};
 }
 
-constexpr std::string_view amount_remedy = "Give one of: optical_depth_550 = 0.12, visibility = \"23 km\", turbidity = 3, angstrom = { alpha = 1.3, beta = 0.05 }, extinction_550 = \"1e-4 1/m\", times_typical = 1.";
+constexpr std::string_view amount_remedy =
+    "Give one of: optical_depth_550 = 0.12, visibility = \"23 km\", turbidity = 3, angstrom = { alpha = 1.3, beta = 0.05 }, extinction_550 "
+    "= \"1e-4 1/m\", times_typical = 1.";
 
 // Which key of the table was given, so that what is wrong with its value is said of it.
 struct AmountInput {
@@ -139,10 +139,8 @@ std::optional<AmountInput> read_amount(TomlInput& amount) {
     amount.refuse_unknown_keys();
     if (amount.failed()) return {};
     if (given.size() == 1) return given.front();
-    if (given.empty())
-        amount.refuse_missing("optical_depth_550", amount_remedy);
-    else
-        amount.refuse(given[1].key, fmt::format("{} has said how much already", given[0].key), "Give only one of the two.");
+    if (given.empty()) amount.refuse_missing("optical_depth_550", amount_remedy);
+    else amount.refuse(given[1].key, fmt::format("{} has said how much already", given[0].key), "Give only one of the two.");
     return {};
 }
 
@@ -152,9 +150,11 @@ std::optional<AerosolMatter> read_given_matter(TomlInput& input) {
     matter.extinction = angstrom_extinction(1.3);
     const auto alpha = number_within(input, "alpha", -10.0, 10.0);
     if (alpha) matter.extinction = angstrom_extinction(*alpha);
-    if (!input.has("single_scattering_albedo")) input.refuse_missing("single_scattering_albedo", "Give it, such as 0.9, or give the type of the aerosol.");
+    if (!input.has("single_scattering_albedo"))
+        input.refuse_missing("single_scattering_albedo", "Give it, such as 0.9, or give the type of the aerosol.");
     const auto albedo = read_numbers(input, "single_scattering_albedo");
-    if (!input.has("phase")) input.refuse_missing("phase", "Give it, such as { kind = \"henyey_greenstein\", g = 0.76 }, or give the type of the aerosol.");
+    if (!input.has("phase"))
+        input.refuse_missing("phase", "Give it, such as { kind = \"henyey_greenstein\", g = 0.76 }, or give the type of the aerosol.");
     const auto phase = read_phase(input, "phase");
     if (!albedo || !phase) return {};
     for (const auto& sample : albedo->samples())

@@ -26,7 +26,8 @@ Constituent air_constituent(const DensityProfile& profile, double pressure_hpa) 
     column.pressure_pa = 100.0 * pressure_hpa;
     const Length depth = column_depth(profile, above_all_air);
     const auto scattering = sampled<InverseLength>([&](Wavelength w) { return rayleigh_optical_depth(w, column) / depth; });
-    return {"air", profile, scattering, SpectrumOf<InverseLength>::constant(0.0 * per_m), RayleighPhase{depolarisation(king_factor_of_air(550.0 * nm))}};
+    return {"air", profile, scattering, SpectrumOf<InverseLength>::constant(0.0 * per_m),
+            RayleighPhase{depolarisation(king_factor_of_air(550.0 * nm))}};
 }
 
 Constituent carbon_dioxide_constituent(const DensityProfile& profile, NumberDensity reference) {
@@ -37,7 +38,8 @@ Constituent carbon_dioxide_constituent(const DensityProfile& profile, NumberDens
 
 Constituent absorber_constituent(Gas gas, const DensityProfile& profile, double column_per_m2, double temperature_k) {
     assert(gas == Gas::ozone || gas == Gas::nitrogen_dioxide);
-    const SpectrumOf<Area> cross_section = gas == Gas::ozone ? ozone_cross_section(temperature_k) : nitrogen_dioxide_cross_section(temperature_k);
+    const SpectrumOf<Area> cross_section =
+        gas == Gas::ozone ? ozone_cross_section(temperature_k) : nitrogen_dioxide_cross_section(temperature_k);
     const NumberDensity reference = column_per_m2 / m2 / column_depth(profile, above_all_air);
     std::vector<SpectrumOf<InverseLength>::Sample> samples;
     for (const auto& [wavelength, area] : cross_section.samples()) samples.push_back({wavelength, area * reference});

@@ -14,7 +14,8 @@ inline constexpr double dobson_unit_per_m2 = 2.6867e20;  // molecules in 1e-5 m 
 
 // Whether a column depth is one by which an amount can be divided: a profile must hold something, but not without end.
 constexpr bool is_column_depth(Length depth) { return depth >= 0.001 * m && depth <= 1e12 * m; }
-inline constexpr std::string_view column_depth_rule = "below the top it must hold as much as a layer from 1 mm to 1e9 km deep at density one";
+inline constexpr std::string_view column_depth_rule =
+    "below the top it must hold as much as a layer from 1 mm to 1e9 km deep at density one";
 
 // Dry air over the whole spectrum of its formulas that this project uses: 300 to 1000 nm, every 2 nm.
 //   profile       whose column_depth() up to 1000 km passes is_column_depth(), here and below

@@ -25,9 +25,12 @@ std::array<Levels, model_count> read_models() {
     for (std::size_t i = 0; i < model_count; ++i)
         for (std::size_t k = 0; k < level_count; ++k) {
             const Row& r = rows[i][k];
-            models[i][k] = {r.altitude_km * km,       r.pressure_hpa,
-                            r.temperature_k,          r.air_per_cm3 * per_cm3,
-                            r.ozone_per_cm3 * per_cm3, r.water_vapour_per_cm3 * per_cm3,
+            models[i][k] = {r.altitude_km * km,
+                            r.pressure_hpa,
+                            r.temperature_k,
+                            r.air_per_cm3 * per_cm3,
+                            r.ozone_per_cm3 * per_cm3,
+                            r.water_vapour_per_cm3 * per_cm3,
                             r.nitrogen_dioxide_per_cm3 * per_cm3};
         }
     return models;
@@ -52,10 +55,14 @@ Result<std::span<const AirLevel>> model_atmosphere(std::string_view name) {
 
 NumberDensity density_of(const AirLevel& level, Gas gas) {
     switch (gas) {
-        case Gas::air: return level.air;
-        case Gas::ozone: return level.ozone;
-        case Gas::water_vapour: return level.water_vapour;
-        case Gas::nitrogen_dioxide: break;
+        case Gas::air:
+            return level.air;
+        case Gas::ozone:
+            return level.ozone;
+        case Gas::water_vapour:
+            return level.water_vapour;
+        case Gas::nitrogen_dioxide:
+            break;
     }
     return level.nitrogen_dioxide;
 }

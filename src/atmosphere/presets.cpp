@@ -30,7 +30,9 @@ Result<std::string_view> preset_text(std::string_view name) {
         words += std::string(file.name) + ' ';
     }
     const std::string near = nearest_word(name, words);
-    return Error{"", fmt::format("\"{}\" is no preset", name), near.empty() ? fmt::format("There are: {}.", words.substr(0, words.size() - 1)) : fmt::format("Did you mean \"{}\"?", near)};
+    return Error{
+        "", fmt::format("\"{}\" is no preset", name),
+        near.empty() ? fmt::format("There are: {}.", words.substr(0, words.size() - 1)) : fmt::format("Did you mean \"{}\"?", near)};
 }
 
 Result<Atmosphere> preset(std::string_view name) {

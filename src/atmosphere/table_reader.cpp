@@ -81,16 +81,11 @@ std::optional<DensityProfile> read_profile(TomlInput& input, std::string_view ke
     const auto kind = table->need(&TomlInput::text, "kind", "Write kind = \"exponential\", \"layer\", \"triangle\" or \"tabulated\".");
     if (!kind) return {};
     std::optional<DensityProfile> profile;
-    if (*kind == "exponential")
-        profile = exponential_profile(*table);
-    else if (*kind == "layer")
-        profile = layer_profile(*table);
-    else if (*kind == "triangle")
-        profile = triangle_profile(*table);
-    else if (*kind == "tabulated")
-        profile = tabulated_profile(*table);
-    else
-        table->refuse_word("kind", "exponential layer triangle tabulated");
+    if (*kind == "exponential") profile = exponential_profile(*table);
+    else if (*kind == "layer") profile = layer_profile(*table);
+    else if (*kind == "triangle") profile = triangle_profile(*table);
+    else if (*kind == "tabulated") profile = tabulated_profile(*table);
+    else table->refuse_word("kind", "exponential layer triangle tabulated");
     table->refuse_unknown_keys();
     return kept_if_right(*table, std::move(profile));
 }
@@ -140,21 +135,16 @@ std::optional<PhaseFunction> tabulated_phase_of(TomlInput& table) {
 std::optional<PhaseFunction> read_phase(TomlInput& input, std::string_view key) {
     auto table = input.table(key);
     if (!table) return {};
-    const auto kind = table->need(&TomlInput::text, "kind", "Write kind = \"henyey_greenstein\", \"cornette_shanks\", \"rayleigh\", \"isotropic\" or \"tabulated\".");
+    const auto kind = table->need(&TomlInput::text, "kind",
+                                  "Write kind = \"henyey_greenstein\", \"cornette_shanks\", \"rayleigh\", \"isotropic\" or \"tabulated\".");
     if (!kind) return {};
     std::optional<PhaseFunction> phase;
-    if (*kind == "isotropic")
-        phase = IsotropicPhase{};
-    else if (*kind == "rayleigh")
-        phase = RayleighPhase{table->number("depolarisation").value_or(0.0)};
-    else if (*kind == "henyey_greenstein")
-        phase = asymmetric_phase<HenyeyGreensteinPhase>(*table);
-    else if (*kind == "cornette_shanks")
-        phase = asymmetric_phase<CornetteShanksPhase>(*table);
-    else if (*kind == "tabulated")
-        phase = tabulated_phase_of(*table);
-    else
-        table->refuse_word("kind", "henyey_greenstein cornette_shanks rayleigh isotropic tabulated");
+    if (*kind == "isotropic") phase = IsotropicPhase{};
+    else if (*kind == "rayleigh") phase = RayleighPhase{table->number("depolarisation").value_or(0.0)};
+    else if (*kind == "henyey_greenstein") phase = asymmetric_phase<HenyeyGreensteinPhase>(*table);
+    else if (*kind == "cornette_shanks") phase = asymmetric_phase<CornetteShanksPhase>(*table);
+    else if (*kind == "tabulated") phase = tabulated_phase_of(*table);
+    else table->refuse_word("kind", "henyey_greenstein cornette_shanks rayleigh isotropic tabulated");
     table->refuse_unknown_keys();
     return kept_if_right(*table, std::move(phase));
 }

@@ -80,7 +80,8 @@ void TomlInput::refuse_unknown_keys() {
         std::string words;
         for (const std::string& known : known_) words += known + ' ';
         const std::string near = nearest_word(name, words);
-        const std::string remedy = near.empty() ? fmt::format("Keys here: {}.", words.substr(0, words.empty() ? 0 : words.size() - 1)) : fmt::format("Did you mean \"{}\"?", near);
+        const std::string remedy = near.empty() ? fmt::format("Keys here: {}.", words.substr(0, words.empty() ? 0 : words.size() - 1))
+                                                : fmt::format("Did you mean \"{}\"?", near);
         keep(static_cast<unsigned>(key.source().begin.line), fmt::format("{} is no key that this table has", full(name)), remedy);
     }
 }
@@ -116,7 +117,7 @@ std::optional<std::string> TomlInput::text(std::string_view key) {
 template <class T>
 std::optional<T> TomlInput::quantity(std::string_view key, Result<T> (*parse)(std::string_view)) {
     if (has(key) && !is_text(key)) {
-        refuse(key, "it must be a number and a unit in quotes", parse("")  ? "" : parse("").error().remedy);
+        refuse(key, "it must be a number and a unit in quotes", parse("") ? "" : parse("").error().remedy);
         return {};
     }
     const auto words = text(key);
@@ -189,7 +190,8 @@ std::vector<TomlInput> TomlInput::tables(std::string_view key) {
         for (const toml::node& element : *array)
             if (const auto* inner = element.as_table()) result.emplace_back(*inner, full(key), *failure_);
     const std::size_t wanted = node->is_array() ? node->as_array()->size() : 1;
-    if (result.size() != wanted) refuse(key, "it must be one table or several", fmt::format("Write [[{}]] on a line of its own.", full(key)));
+    if (result.size() != wanted)
+        refuse(key, "it must be one table or several", fmt::format("Write [[{}]] on a line of its own.", full(key)));
     return result;
 }
 

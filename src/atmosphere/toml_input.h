@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <toml++/toml.h>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <toml++/toml.h>
 #include <vector>
 
 #include "core/result.h"
@@ -27,7 +27,8 @@ struct TomlFailure {
 class TomlInput {
 public:
     // `path` is the key of the table itself, "" for the file's own; `failure` and `table` outlive this.
-    TomlInput(const toml::table& table, std::string path, TomlFailure& failure) : table_(&table), path_(std::move(path)), failure_(&failure) {}
+    TomlInput(const toml::table& table, std::string path, TomlFailure& failure)
+        : table_(&table), path_(std::move(path)), failure_(&failure) {}
 
     void set_path(std::string path) { path_ = std::move(path); }
     bool has(std::string_view key);

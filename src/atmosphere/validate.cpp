@@ -51,8 +51,12 @@ Broken not_negative(std::string key, const SpectrumOf<Y>& spectrum) {
 }
 
 Broken rule_of(const ExponentialProfile& p) {
-    return first_of([&] { return length_above_zero("scale_height", p.scale_height, "Earth's air is near \"8 km\", its aerosol near \"1200 m\"; see docs/atmosphere-file.md."); },
-                    [&] { return length_above_zero("top", p.top, "Leave it out to let the profile reach the top of the atmosphere."); });
+    return first_of(
+        [&] {
+            return length_above_zero("scale_height", p.scale_height,
+                                     "Earth's air is near \"8 km\", its aerosol near \"1200 m\"; see docs/atmosphere-file.md.");
+        },
+        [&] { return length_above_zero("top", p.top, "Leave it out to let the profile reach the top of the atmosphere."); });
 }
 
 Broken altitudes_rise(const char* low_key, Length low, const char* high_key, Length high) {
@@ -69,15 +73,19 @@ Broken rule_of(const TriangleProfile& p) {
 
 Broken rule_of(const TabulatedProfile& p) {
     for (const auto& [altitude, density] : p.densities.samples()) {
-        if (altitude.value < 0.0) return BrokenRule{"altitude_m", number_text(altitude.value), "it must be 0 or more", "Altitudes are above the ground sphere."};
+        if (altitude.value < 0.0)
+            return BrokenRule{"altitude_m", number_text(altitude.value), "it must be 0 or more", "Altitudes are above the ground sphere."};
         if (!finite_and_not_negative(density.value))
-            return BrokenRule{"density", fmt::format("{} (at {})", density.value, length_text(altitude)), "it must be 0 or more, and finite", ""};
+            return BrokenRule{"density", fmt::format("{} (at {})", density.value, length_text(altitude)),
+                              "it must be 0 or more, and finite", ""};
     }
     return {};
 }
 
 Broken asymmetry_rule(const SpectrumOf<Number>& g) {
-    return spectrum_rule("g", g, [](double x) { return std::abs(x) < 1.0; }, "it must be above -1 and below 1", "Haze is near 0.7; 0 scatters forward as much as backward.");
+    return spectrum_rule(
+        "g", g, [](double x) { return std::abs(x) < 1.0; }, "it must be above -1 and below 1",
+        "Haze is near 0.7; 0 scatters forward as much as backward.");
 }
 
 // The shape of a table, and that its rows integrate to one.
@@ -88,8 +96,8 @@ Broken table_rule(const TabulatedPhase& table) {
     for (std::size_t w = 0; w < rows.size(); ++w)
         for (std::size_t a = 0; a < rows[w].size(); ++a)
             if (std::abs(rows[w][a] - table.values[w][a]) > 1e-6 * rows[w][a])
-                return BrokenRule{"value", fmt::format("the row at {}", wavelength_text(table.wavelengths[w])), "it must integrate to 1 over the sphere",
-                                  "tabulated_phase() scales a table so that it does."};
+                return BrokenRule{"value", fmt::format("the row at {}", wavelength_text(table.wavelengths[w])),
+                                  "it must integrate to 1 over the sphere", "tabulated_phase() scales a table so that it does."};
     return {};
 }
 
@@ -104,7 +112,9 @@ std::optional<BrokenRule> broken_rule(const PhaseFunction& phase) {
                           [](const IsotropicPhase&) { return Broken{}; },
                           [](const RayleighPhase& p) {
                               const bool right = p.depolarisation >= 0.0 && p.depolarisation < 1.0;
-                              return right ? Broken{} : Broken{{"depolarisation", number_text(p.depolarisation), "it must be 0 or more and below 1", "Air is near 0.0279."}};
+                              return right ? Broken{}
+                                           : Broken{{"depolarisation", number_text(p.depolarisation), "it must be 0 or more and below 1",
+                                                     "Air is near 0.0279."}};
                           },
                           [](const HenyeyGreensteinPhase& p) { return asymmetry_rule(p.g); },
                           [](const CornetteShanksPhase& p) { return asymmetry_rule(p.g); },
@@ -121,16 +131,14 @@ Broken within(const std::string& outer, Broken broken) {
 }
 
 Broken rule_of(const Constituent& c) {
-    return first_of([&] { return within("profile", broken_rule(c.profile)); },
-                    [&] { return not_negative("scattering", c.scattering); },
-                    [&] { return not_negative("absorption", c.absorption); },
-                    [&] { return within("phase", broken_rule(c.phase)); });
+    return first_of([&] { return within("profile", broken_rule(c.profile)); }, [&] { return not_negative("scattering", c.scattering); },
+                    [&] { return not_negative("absorption", c.absorption); }, [&] { return within("phase", broken_rule(c.phase)); });
 }
 
 Broken rule_of(const std::vector<Constituent>& constituents) {
     if (constituents.size() > max_constituents)
-        return BrokenRule{"constituent", fmt::format("{} tables", constituents.size()), fmt::format("there must be at most {}", max_constituents),
-                          "Join those that have the same profile."};
+        return BrokenRule{"constituent", fmt::format("{} tables", constituents.size()),
+                          fmt::format("there must be at most {}", max_constituents), "Join those that have the same profile."};
     std::set<std::string> names;
     for (const Constituent& c : constituents) {
         if (c.name.empty() || !names.insert(c.name).second)
@@ -146,26 +154,30 @@ Broken limb_rule(const Sun& sun) {
         for (const auto& sample : darkening->samples())
             for (int i = 0; i <= 100; ++i) {
                 const double x = 0.01 * i;
-                const double intensity = 1.0 - sun.limb_darkening_1.at(sample.x).value * x - sun.limb_darkening_2.at(sample.x).value * x * x;
+                const double intensity =
+                    1.0 - sun.limb_darkening_1.at(sample.x).value * x - sun.limb_darkening_2.at(sample.x).value * x * x;
                 if (intensity >= -1e-12) continue;
-                return BrokenRule{"sun.limb_darkening", fmt::format("the law at {}", wavelength_text(sample.x)), "it must leave the disk at 0 or brighter",
-                                  "The sun's coefficients add up to less than 1."};
+                return BrokenRule{"sun.limb_darkening", fmt::format("the law at {}", wavelength_text(sample.x)),
+                                  "it must leave the disk at 0 or brighter", "The sun's coefficients add up to less than 1."};
             }
     return {};
 }
 
 Broken rule_of(const Sun& sun) {
     if (!(sun.angular_radius >= 0.0 && sun.angular_radius < 0.5 * pi))
-        return BrokenRule{"sun.angular_radius", quoted(angle_text(sun.angular_radius)), "it must be 0 deg or more and below 90 deg", "From the Earth it is \"0.2666 deg\"."};
+        return BrokenRule{"sun.angular_radius", quoted(angle_text(sun.angular_radius)), "it must be 0 deg or more and below 90 deg",
+                          "From the Earth it is \"0.2666 deg\"."};
     return first_of([&] { return not_negative("sun.irradiance", sun.irradiance); }, [&] { return limb_rule(sun); });
 }
 
 Broken planet_rule(const Atmosphere& a) {
     if (!(a.bottom_radius >= min_bottom_radius && a.bottom_radius <= max_bottom_radius))
         return BrokenRule{"planet.radius", quoted(length_text(a.bottom_radius)),
-                          fmt::format("it must be from {} to {}", length_text(min_bottom_radius), length_text(max_bottom_radius)), "The Earth's is \"6371 km\"."};
+                          fmt::format("it must be from {} to {}", length_text(min_bottom_radius), length_text(max_bottom_radius)),
+                          "The Earth's is \"6371 km\"."};
     if (!(a.top_altitude.value > 0.0 && a.top_altitude <= a.bottom_radius))
-        return BrokenRule{"planet.top", quoted(length_text(a.top_altitude)), "it must be above 0 m and at most the planet's radius", "The Earth's air may end at \"100 km\"."};
+        return BrokenRule{"planet.top", quoted(length_text(a.top_altitude)), "it must be above 0 m and at most the planet's radius",
+                          "The Earth's air may end at \"100 km\"."};
     return {};
 }
 
@@ -176,8 +188,9 @@ Error BrokenRule::error() const { return Error{"", fmt::format("{} = {} is out o
 std::optional<BrokenRule> broken_rule(const Atmosphere& atmosphere) {
     return first_of([&] { return planet_rule(atmosphere); },
                     [&] {
-                        return spectrum_rule("ground.albedo", atmosphere.ground_albedo, [](double x) { return x >= 0.0 && x <= 1.0; },
-                                             "it must be from 0 to 1", "Grass is near 0.1, fresh snow near 0.95.");
+                        return spectrum_rule(
+                            "ground.albedo", atmosphere.ground_albedo, [](double x) { return x >= 0.0 && x <= 1.0; },
+                            "it must be from 0 to 1", "Grass is near 0.1, fresh snow near 0.95.");
                     },
                     [&] { return rule_of(atmosphere.sun); }, [&] { return rule_of(atmosphere.constituents); });
 }
@@ -193,7 +206,8 @@ template <class Y>
 Result<Done> spectrum_covers(const std::string& what, const SpectrumOf<Y>& spectrum, Wavelength first, Wavelength last) {
     if (spectrum.covers(first, last)) return Done{};
     return Error{"", fmt::format("{} has no data at every wavelength from {} to {}", what, wavelength_text(first), wavelength_text(last)),
-                 fmt::format("It reaches from {} to {}.", wavelength_text(spectrum.samples().front().x), wavelength_text(spectrum.samples().back().x))};
+                 fmt::format("It reaches from {} to {}.", wavelength_text(spectrum.samples().front().x),
+                             wavelength_text(spectrum.samples().back().x))};
 }
 
 }  // namespace
@@ -204,7 +218,10 @@ Result<Done> covers(const Atmosphere& atmosphere, Wavelength first, Wavelength l
         if (auto done = check(c.name + ".scattering", c.scattering); !done) return done;
         if (auto done = check(c.name + ".absorption", c.absorption); !done) return done;
         if (!covers(c.phase, first, last))
-            return Error{"", fmt::format("{}.phase has no data at every wavelength from {} to {}", c.name, wavelength_text(first), wavelength_text(last)), ""};
+            return Error{"",
+                         fmt::format("{}.phase has no data at every wavelength from {} to {}", c.name, wavelength_text(first),
+                                     wavelength_text(last)),
+                         ""};
     }
     if (auto done = check("ground.albedo", atmosphere.ground_albedo); !done) return done;
     if (auto done = check("sun.limb_darkening", atmosphere.sun.limb_darkening_1); !done) return done;

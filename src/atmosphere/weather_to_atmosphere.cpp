@@ -24,7 +24,8 @@ constexpr Length visibility_without_aerosol = 50.0 * km;  // "at least 10 km" ov
 // Weather at the place itself: not in the vicinity, shallow or in patches.
 bool reported(const Metar& report, std::initializer_list<std::string_view> codes) {
     return std::any_of(report.weather.begin(), report.weather.end(), [&](const PresentWeather& group) {
-        if (group.intensity == Intensity::vicinity || group.descriptor == "MI" || group.descriptor == "BC" || group.descriptor == "PR") return false;
+        if (group.intensity == Intensity::vicinity || group.descriptor == "MI" || group.descriptor == "BC" || group.descriptor == "PR")
+            return false;
         return std::any_of(codes.begin(), codes.end(), [&](std::string_view code) { return group.has(code); });
     });
 }
@@ -73,8 +74,7 @@ double humidity_of(const Metar& report, std::vector<std::string>& decisions) {
 Matter matter_of(const Metar& report, const WeatherOptions& options, std::vector<std::string>& decisions) {
     Matter matter{Obscuration::haze, type_of(report, options.usual_aerosol, decisions), humidity_of(report, decisions)};
     const bool dry = reported(report, {"DU", "SA", "DS", "SS", "PO", "VA", "FU", "HZ"});
-    if (reported(report, {"FG"}))
-        matter.obscuration = Obscuration::fog;
+    if (reported(report, {"FG"})) matter.obscuration = Obscuration::fog;
     else if (!dry && !reported(report, {"BR"}) && reported(report, {"DZ", "RA", "SN", "SG", "IC", "PL", "GR", "GS", "UP"}))
         matter.obscuration = Obscuration::precipitation;
     return matter;
@@ -152,15 +152,18 @@ InverseLength background(const Work& work, double growth_factor, Length at_least
 }
 
 void put_aerosol(Work& work, InverseLength at_ground) {
-    const auto aerosol = aerosol_constituent(work.grown, opac_profile(work.matter.type), GroundExtinction550{at_ground}, work.air, work.atmosphere.top_altitude);
+    const auto aerosol = aerosol_constituent(work.grown, opac_profile(work.matter.type), GroundExtinction550{at_ground}, work.air,
+                                             work.atmosphere.top_altitude);
     if (!aerosol || !(at_ground.value > 0.0)) return;
-    work.decisions.push_back(fmt::format("aerosol: vertical optical depth {:.3f} at 550 nm", optical_depth(*aerosol, work.atmosphere.top_altitude, reference_wavelength).value));
+    work.decisions.push_back(fmt::format("aerosol: vertical optical depth {:.3f} at 550 nm",
+                                         optical_depth(*aerosol, work.atmosphere.top_altitude, reference_wavelength).value));
     work.atmosphere.constituents.push_back(*aerosol);
 }
 
 void put_droplets(Work& work, InverseLength at_ground) {
     const bool fog = work.matter.obscuration == Obscuration::fog;
-    const DensityProfile profile = fog ? DensityProfile(ExponentialProfile{fog_scale_height, 5.0 * fog_scale_height}) : DensityProfile(LayerProfile{0.0 * m, lowest_cloud(work.report)});
+    const DensityProfile profile = fog ? DensityProfile(ExponentialProfile{fog_scale_height, 5.0 * fog_scale_height})
+                                       : DensityProfile(LayerProfile{0.0 * m, lowest_cloud(work.report)});
     work.atmosphere.constituents.push_back(droplets(fog ? "fog" : "precipitation", profile, at_ground));
     work.decisions.push_back(fog ? fmt::format("fog: droplets with a scale height of {}", length_text(fog_scale_height))
                                  : fmt::format("precipitation: drops or flakes up to {}", length_text(lowest_cloud(work.report))));
@@ -172,14 +175,18 @@ void put_visibility(Work& work, double growth_factor) {
     if (work.report.cavok) visibility = ReportedDistance{10.0 * km, Bound::at_least};
     if (!visibility || visibility->bound == Bound::at_least) {
         const Length least = visibility ? max(visibility->distance, least_visibility) : 0.0 * m;
-        work.decisions.push_back(visibility ? fmt::format("visibility: at least {} at a contrast of {}, so the base's aerosol, {:.2f} times for humidity", length_text(least), optical_range_contrast, growth_factor)
-                                            : fmt::format("visibility: not reported, so the base's aerosol, {:.2f} times for humidity", growth_factor));
+        work.decisions.push_back(
+            visibility ? fmt::format("visibility: at least {} at a contrast of {}, so the base's aerosol, {:.2f} times for humidity",
+                                     length_text(least), optical_range_contrast, growth_factor)
+                       : fmt::format("visibility: not reported, so the base's aerosol, {:.2f} times for humidity", growth_factor));
         return put_aerosol(work, background(work, growth_factor, least));
     }
     const Length seen = max(visibility->distance, least_visibility);
     const InverseLength particles = particles_within(seen, work.air);
-    work.decisions.push_back(fmt::format("visibility: {}{} at a contrast of {}, extinction of particles at the ground {:.4g} 1/km at 550 nm", visibility->bound == Bound::less_than ? "less than " : "",
-                                         length_text(visibility->distance), optical_range_contrast, particles.value * 1e3));
+    work.decisions.push_back(
+        fmt::format("visibility: {}{} at a contrast of {}, extinction of particles at the ground {:.4g} 1/km at 550 nm",
+                    visibility->bound == Bound::less_than ? "less than " : "", length_text(visibility->distance), optical_range_contrast,
+                    particles.value * 1e3));
     if (work.matter.obscuration == Obscuration::haze) return put_aerosol(work, particles);
     const InverseLength haze = min(background(work, growth_factor, 0.0 * m), particles);
     put_aerosol(work, haze);

@@ -71,7 +71,8 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t max
 
 Result<Done> can_write(const std::filesystem::path& path) {
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    if (::access(folder.c_str(), W_OK | X_OK) != 0) return file_error(path, "cannot be written", errno, "Check that the folder exists and that you may write to it.");
+    if (::access(folder.c_str(), W_OK | X_OK) != 0)
+        return file_error(path, "cannot be written", errno, "Check that the folder exists and that you may write to it.");
     std::error_code failed;
     if (std::filesystem::is_directory(path, failed)) return Error{path.string(), "is a folder, not a file", "Name a file in it."};
     return Done{};
@@ -93,7 +94,8 @@ Result<Done> publish_file(const std::filesystem::path& temporary, const std::fil
     if (failed == 0) return Done{};
     std::error_code ignored;
     std::filesystem::remove(temporary, ignored);
-    return file_error(path, "cannot be written", failed, "Check that the folder exists, that you may write to it, and that the disk is not full.");
+    return file_error(path, "cannot be written", failed,
+                      "Check that the folder exists, that you may write to it, and that the disk is not full.");
 }
 
 Result<Done> write_file(const std::filesystem::path& path, std::span<const std::span<const std::byte>> pieces) {
@@ -105,7 +107,8 @@ Result<Done> write_file(const std::filesystem::path& path, std::span<const std::
 
     std::error_code ignored;
     if (file) std::filesystem::remove(temporary, ignored);
-    return file_error(path, "cannot be written", code, "Check that the folder exists, that you may write to it, and that the disk is not full.");
+    return file_error(path, "cannot be written", code,
+                      "Check that the folder exists, that you may write to it, and that the disk is not full.");
 }
 
 Result<Done> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {

@@ -19,15 +19,12 @@ Result<std::vector<Metered>> what_is_metered(std::span<const float> luminance, s
     assert(weight.empty() || weight.size() == luminance.size());
     std::vector<Metered> metered;
     for (std::size_t i = 0; i < luminance.size(); ++i) {
-        if (!(luminance[i] >= 0.0f))
-            return Error{"", fmt::format("pixel {} has luminance {}: it is not negative", i, luminance[i]), ""};
+        if (!(luminance[i] >= 0.0f)) return Error{"", fmt::format("pixel {} has luminance {}: it is not negative", i, luminance[i]), ""};
         const double w = weight.empty() ? 1.0 : static_cast<double>(weight[i]);
-        if (luminance[i] > 0.0f && static_cast<double>(luminance[i]) < sun_disk && w > 0.0)
-            metered.push_back({luminance[i], w});
+        if (luminance[i] > 0.0f && static_cast<double>(luminance[i]) < sun_disk && w > 0.0) metered.push_back({luminance[i], w});
     }
     if (metered.empty())
-        return Error{"", "there is no light to meter: all pixels are black or the sun's disk",
-                     "Give the exposure as an EV or a white."};
+        return Error{"", "there is no light to meter: all pixels are black or the sun's disk", "Give the exposure as an EV or a white."};
     return metered;
 }
 

@@ -105,13 +105,12 @@ void add_meaning(Imf::Header& header, const ImageMeaning& meaning, double scale)
 
 // One slice a channel, over interleaved pixels whose first is that of column `left` and row `top`.
 template <class T>
-Imf::FrameBuffer frame_buffer(Imf::PixelType type, T* pixels, const std::vector<std::string>& names, int width, int left,
-                              int top) {
+Imf::FrameBuffer frame_buffer(Imf::PixelType type, T* pixels, const std::vector<std::string>& names, int width, int left, int top) {
     const std::size_t across = names.size() * sizeof(T), down = across * static_cast<std::size_t>(width);
     Imf::FrameBuffer buffer;
     for (std::size_t c = 0; c < names.size(); ++c) {
-        char* origin = reinterpret_cast<char*>(pixels + c) - static_cast<std::ptrdiff_t>(across) * left -
-                       static_cast<std::ptrdiff_t>(down) * top;
+        char* origin =
+            reinterpret_cast<char*>(pixels + c) - static_cast<std::ptrdiff_t>(across) * left - static_cast<std::ptrdiff_t>(down) * top;
         buffer.insert(names[c], Imf::Slice(type, origin, across, down));
     }
     return buffer;
@@ -125,8 +124,7 @@ std::string encoded(const Image& image, const ImageMeaning& meaning, ExrPixels p
     header.compression() = small ? Imf::PIZ_COMPRESSION : Imf::ZIP_COMPRESSION;  // the faster of the two for each
     header.zipCompressionLevel() = 1;
     add_meaning(header, meaning, scale);
-    for (const std::string& name : meaning.channel_names)
-        header.channels().insert(name, Imf::Channel(small ? Imf::HALF : Imf::FLOAT));
+    for (const std::string& name : meaning.channel_names) header.channels().insert(name, Imf::Channel(small ? Imf::HALF : Imf::FLOAT));
 
     std::vector<half> halves;
     if (small)
@@ -134,9 +132,9 @@ std::string encoded(const Image& image, const ImageMeaning& meaning, ExrPixels p
     MemoryOutput output;
     {
         Imf::OutputFile file(output, header, Imf::globalThreadCount());
-        file.setFrameBuffer(small ? frame_buffer(Imf::HALF, halves.data(), meaning.channel_names, image.width, 0, 0)
-                                  : frame_buffer(Imf::FLOAT, const_cast<float*>(image.values.data()), meaning.channel_names,
-                                                 image.width, 0, 0));
+        file.setFrameBuffer(
+            small ? frame_buffer(Imf::HALF, halves.data(), meaning.channel_names, image.width, 0, 0)
+                  : frame_buffer(Imf::FLOAT, const_cast<float*>(image.values.data()), meaning.channel_names, image.width, 0, 0));
         file.writePixels(image.height);
     }
     return output.bytes();
@@ -199,8 +197,7 @@ Result<MeantImage> decoded(const std::string& bytes) {
     if (!in_bounds) return in_bounds.error();
 
     Image image(static_cast<int>(width), static_cast<int>(height), static_cast<int>(meaning.channel_names.size()));
-    file.setFrameBuffer(
-        frame_buffer(Imf::FLOAT, image.values.data(), meaning.channel_names, image.width, window.min.x, window.min.y));
+    file.setFrameBuffer(frame_buffer(Imf::FLOAT, image.values.data(), meaning.channel_names, image.width, window.min.x, window.min.y));
     file.readPixels(window.min.y, window.max.y);
     if (const auto* scale = file.header().findTypedAttribute<Imf::FloatAttribute>(scale_attribute))
         for (float& value : image.values) value *= scale->value();
@@ -209,9 +206,7 @@ Result<MeantImage> decoded(const std::string& bytes) {
 
 }  // namespace
 
-ImageMeaning ImageMeaning::rgb(RgbSpace space) {
-    return {{"R", "G", "B"}, std::string(unit_luminance), airlight::primaries(space), {}};
-}
+ImageMeaning ImageMeaning::rgb(RgbSpace space) { return {{"R", "G", "B"}, std::string(unit_luminance), airlight::primaries(space), {}}; }
 
 ImageMeaning ImageMeaning::spectral(std::span<const Wavelength> wavelengths) {
     ImageMeaning meaning{{}, std::string(unit_spectral_radiance), std::nullopt, {}};

@@ -25,9 +25,7 @@ double threshold(int column, int row, int channel) {
 }
 
 // Level of an encoded value in [0, 1], rounded up with a chance of its fraction. 0 and 1 have no fraction.
-int dithered(double encoded, int highest, double threshold) {
-    return std::min(highest, static_cast<int>(encoded * highest + threshold));
-}
+int dithered(double encoded, int highest, double threshold) { return std::min(highest, static_cast<int>(encoded * highest + threshold)); }
 
 // Rows of levels as PNG stores them: one byte each, or two, high byte first.
 std::vector<std::uint8_t> stored_levels(const Image& display, PngBits bits) {
@@ -74,14 +72,14 @@ void take(png_structp png, png_bytep out, std::size_t count) {
 
 // Below, no object with a destructor is made between setjmp() and the last call of libpng: longjmp() would skip it.
 
-bool encode(png_structp png, png_infop info, Failure& failure, const Image& size, int bits,
-            std::span<const std::uint8_t> stored, std::string& file) {
+bool encode(png_structp png, png_infop info, Failure& failure, const Image& size, int bits, std::span<const std::uint8_t> stored,
+            std::string& file) {
     if (setjmp(failure.way_back) != 0) return false;
     png_set_write_fn(png, &file, append, no_flush);
     png_set_compression_level(png, 1);
     png_set_IHDR(png, info, static_cast<png_uint_32>(size.width), static_cast<png_uint_32>(size.height), bits,
-                 size.channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+                 size.channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_write_info(png, info);
     const std::size_t row_bytes = stored.size() / static_cast<std::size_t>(size.height);
@@ -113,8 +111,7 @@ bool decode_row(png_structp png, Failure& failure, std::vector<std::uint8_t>& ro
 // libpng's two structures, freed together.
 struct Reader {
     explicit Reader(Failure& failure)
-        : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &failure, fail, ignore_warning)),
-          info(png_create_info_struct(png)) {}
+        : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &failure, fail, ignore_warning)), info(png_create_info_struct(png)) {}
     ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
@@ -123,8 +120,7 @@ struct Reader {
 };
 struct Writer {
     explicit Writer(Failure& failure)
-        : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &failure, fail, ignore_warning)),
-          info(png_create_info_struct(png)) {}
+        : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &failure, fail, ignore_warning)), info(png_create_info_struct(png)) {}
     ~Writer() { png_destroy_write_struct(&png, &info); }
     Writer(const Writer&) = delete;
     Writer& operator=(const Writer&) = delete;
@@ -133,8 +129,7 @@ struct Writer {
 };
 
 Error unreadable(const std::filesystem::path& path, const Failure& failure) {
-    return {path.string(), fmt::format("is not a readable PNG image: {}", failure.message),
-            "Check that it is one, and complete."};
+    return {path.string(), fmt::format("is not a readable PNG image: {}", failure.message), "Check that it is one, and complete."};
 }
 
 }  // namespace

@@ -25,8 +25,7 @@ bool inside(ImageSize size, ImagePoint p) { return p.x >= 0.0 && p.y >= 0.0 && p
 // Solid angle, seen from the origin, of the rectangle from (0, 0) to (x, y) on the plane z = 1.
 double corner_solid_angle(double x, double y) { return std::atan2(x * y, std::sqrt(x * x + y * y + 1.0)); }
 double rectangle_solid_angle(double x0, double x1, double y0, double y1) {
-    return std::abs(corner_solid_angle(x1, y1) - corner_solid_angle(x0, y1) - corner_solid_angle(x1, y0) +
-                    corner_solid_angle(x0, y0));
+    return std::abs(corner_solid_angle(x1, y1) - corner_solid_angle(x0, y1) - corner_solid_angle(x1, y0) + corner_solid_angle(x0, y0));
 }
 
 // Full sphere.
@@ -49,8 +48,7 @@ double share_of_radius(const Fisheye& p, double zenith) {
     return p.law == Fisheye::Law::equidistant ? zenith / (0.5 * p.field) : std::sin(0.5 * zenith) / std::sin(0.25 * p.field);
 }
 double zenith_at(const Fisheye& p, double share) {
-    return p.law == Fisheye::Law::equidistant ? share * 0.5 * p.field
-                                              : 2.0 * std::asin(std::min(1.0, share * std::sin(0.25 * p.field)));
+    return p.law == Fisheye::Law::equidistant ? share * 0.5 * p.field : 2.0 * std::asin(std::min(1.0, share * std::sin(0.25 * p.field)));
 }
 double circle_radius(const Fisheye& p) { return 0.5 * std::min(p.width, p.height); }
 
@@ -134,8 +132,7 @@ std::optional<Vec3> direction_of(const CubeMap& p, ImagePoint at) {
 std::optional<ImagePoint> point_of(const CubeMap& p, Vec3 d) {
     int nearest = 0;
     for (int i = 1; i < 6; ++i)
-        if (glm::dot(d, faces()[static_cast<std::size_t>(i)].middle) >
-            glm::dot(d, faces()[static_cast<std::size_t>(nearest)].middle))
+        if (glm::dot(d, faces()[static_cast<std::size_t>(i)].middle) > glm::dot(d, faces()[static_cast<std::size_t>(nearest)].middle))
             nearest = i;
     const Face& face = faces()[static_cast<std::size_t>(nearest)];
     const double depth = glm::dot(d, face.middle);
@@ -163,18 +160,15 @@ ImageSize image_size(const Projection& projection) {
 
 Result<Done> check(const Projection& projection) {
     if (const auto* cube = std::get_if<CubeMap>(&projection); cube && (cube->side < 1 || cube->side > Image::max_side / 6))
-        return Error{"",
-                     fmt::format("a cube map with faces of {} pixels is out of range: they have 1 to {}", cube->side,
-                                 Image::max_side / 6),
-                     ""};
+        return Error{
+            "", fmt::format("a cube map with faces of {} pixels is out of range: they have 1 to {}", cube->side, Image::max_side / 6), ""};
     const ImageSize size = image_size(projection);
     if (const Result<Done> in_bounds = Image::check_size(size.width, size.height, 1); !in_bounds) return in_bounds.error();
     if (!std::visit([](const auto& p) { return angles_are_finite(p); }, projection))
         return Error{"", "an angle of the projection is not finite", ""};
     if (const auto* eye = std::get_if<Fisheye>(&projection); eye && !(eye->field > 0.0 && eye->field <= 2.0 * pi))
-        return Error{
-            "", fmt::format("a fisheye's field of {} deg is out of range: it is above 0 and at most 360 deg", eye->field / deg),
-            ""};
+        return Error{"", fmt::format("a fisheye's field of {} deg is out of range: it is above 0 and at most 360 deg", eye->field / deg),
+                     ""};
     if (const auto* camera = std::get_if<Perspective>(&projection);
         camera && !(camera->vertical_field_of_view > 0.0 && camera->vertical_field_of_view < pi))
         return Error{"",

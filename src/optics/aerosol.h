@@ -17,8 +17,12 @@ namespace airlight {
 // OPAC's types. Source: data/aerosol_types.source.md; [HessKoepkeSchult1998, tables 4 and 5].
 enum class AerosolType { continental_clean, continental_average, continental_polluted, urban, desert, maritime_clean, maritime_polluted };
 
-inline constexpr AerosolType aerosol_types[] = {AerosolType::continental_clean, AerosolType::continental_average, AerosolType::continental_polluted,
-                                                AerosolType::urban,             AerosolType::desert,              AerosolType::maritime_clean,
+inline constexpr AerosolType aerosol_types[] = {AerosolType::continental_clean,
+                                                AerosolType::continental_average,
+                                                AerosolType::continental_polluted,
+                                                AerosolType::urban,
+                                                AerosolType::desert,
+                                                AerosolType::maritime_clean,
                                                 AerosolType::maritime_polluted};
 
 // "continental_average"; and back, failing with the nearest name.
@@ -56,8 +60,8 @@ double single_scattering_albedo(const AerosolOptics& aerosol, Wavelength wavelen
 // Fails, saying what is out of range, if a humidity, a wavelength or a number is; or if there is nothing that scatters.
 Result<AerosolOptics> aerosol_optics(AerosolType type, double relative_humidity, std::span<const Wavelength> wavelengths,
                                      double log_step = default_log_step);
-Result<AerosolOptics> mixture_optics(std::span<const AerosolShare> mixture, double relative_humidity, std::span<const Wavelength> wavelengths,
-                                     double log_step = default_log_step);
+Result<AerosolOptics> mixture_optics(std::span<const AerosolShare> mixture, double relative_humidity,
+                                     std::span<const Wavelength> wavelengths, double log_step = default_log_step);
 
 // The scattering angles at which the phase functions are tabulated: radians, 0 to pi; dense in the forward peak.
 std::vector<double> aerosol_phase_angles();

@@ -26,8 +26,8 @@ struct MieEfficiencies {
 
 // The coefficients of the series; element i belongs to n = i + 1.
 struct MieSeries {
-    double x;     // size parameter 2 pi r / wavelength
-    double qabs;  // summed where it is not the difference of nearly equal numbers
+    double x;                             // size parameter 2 pi r / wavelength
+    double qabs;                          // summed where it is not the difference of nearly equal numbers
     std::vector<std::complex<double>> a;  // electric multipoles
     std::vector<std::complex<double>> b;  // magnetic multipoles
 };

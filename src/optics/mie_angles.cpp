@@ -41,8 +41,8 @@ void MieAngles::add_mueller_11(const MieSeries& series, double weight, std::span
         }
         // (|S1|^2 + |S2|^2) / 2 = (|S1 + S2|^2 + |S1 - S2|^2) / 4
         for (std::size_t j = 0; j < lanes && first + j < angle_count_; ++j)
-            sum[first + j] += 0.25 * weight *
-                              (plus_re[j] * plus_re[j] + plus_im[j] * plus_im[j] + minus_re[j] * minus_re[j] + minus_im[j] * minus_im[j]);
+            sum[first + j] +=
+                0.25 * weight * (plus_re[j] * plus_re[j] + plus_im[j] * plus_im[j] + minus_re[j] * minus_re[j] + minus_im[j] * minus_im[j]);
     }
 }
 

@@ -34,7 +34,7 @@ constexpr IndexRow index_rows[] = {
 };
 
 constexpr std::string_view names[aerosol_component_count] = {
-    "insoluble",       "water_soluble",      "soot",           "sea_salt_accumulation", "sea_salt_coarse",
+    "insoluble",          "water_soluble",        "soot",           "sea_salt_accumulation", "sea_salt_coarse",
     "mineral_nucleation", "mineral_accumulation", "mineral_coarse", "mineral_transported",   "sulfate"};
 
 // The rows that a predicate picks; they stand together.
@@ -66,9 +66,10 @@ std::string_view name(AerosolComponent component) { return names[static_cast<int
 
 LognormalSizes sizes_of(AerosolComponent component, double relative_humidity) {
     assert(relative_humidity >= 0.0 && relative_humidity <= greatest_relative_humidity);
-    const auto at_humidity = [&](double SizeRow::* column) {
-        return interpolated(sizes_rows_of(component), [](const SizeRow& row) { return row.relative_humidity; }, relative_humidity,
-                            [&](const SizeRow& row) { return row.*column; });
+    const auto at_humidity = [&](double SizeRow::*column) {
+        return interpolated(
+            sizes_rows_of(component), [](const SizeRow& row) { return row.relative_humidity; }, relative_humidity,
+            [&](const SizeRow& row) { return row.*column; });
     };
     return {.mode_radius = at_humidity(&SizeRow::mode_radius_um) * um,
             .sigma = at_humidity(&SizeRow::sigma),
@@ -80,15 +81,17 @@ RefractiveIndex refractive_index_of(AerosolComponent component, double relative_
     assert(relative_humidity >= 0.0 && relative_humidity <= greatest_relative_humidity);
     assert(first_aerosol_wavelength <= wavelength && wavelength <= last_aerosol_wavelength);
     // The humidities at which sizes are tabulated are those of the indices.
-    const auto at_wavelength = [&](double humidity, double IndexRow::* column) {
+    const auto at_wavelength = [&](double humidity, double IndexRow::*column) {
         const auto rows = block(std::span<const IndexRow>(index_rows),
                                 [&](const IndexRow& row) { return row.component == component && row.relative_humidity == humidity; });
-        return interpolated(rows, [](const IndexRow& row) { return row.wavelength_nm; }, wavelength.in(nm),
-                            [&](const IndexRow& row) { return row.*column; });
+        return interpolated(
+            rows, [](const IndexRow& row) { return row.wavelength_nm; }, wavelength.in(nm),
+            [&](const IndexRow& row) { return row.*column; });
     };
-    const auto at_humidity = [&](double IndexRow::* column) {
-        return interpolated(sizes_rows_of(component), [](const SizeRow& row) { return row.relative_humidity; }, relative_humidity,
-                            [&](const SizeRow& row) { return at_wavelength(row.relative_humidity, column); });
+    const auto at_humidity = [&](double IndexRow::*column) {
+        return interpolated(
+            sizes_rows_of(component), [](const SizeRow& row) { return row.relative_humidity; }, relative_humidity,
+            [&](const SizeRow& row) { return at_wavelength(row.relative_humidity, column); });
     };
     return {at_humidity(&IndexRow::n), at_humidity(&IndexRow::k)};
 }

@@ -44,9 +44,8 @@ double between_rows(const TabulatedPhase& table, Wavelength wavelength, OfRow of
 
 double tabulated_value(const TabulatedPhase& table, double nu, Wavelength wavelength) {
     const Bracket angle = bracket(table.angles, std::acos(std::clamp(nu, -1.0, 1.0)));
-    return between_rows(table, wavelength, [&](std::size_t w) {
-        return table.values[w][angle.i] * (1.0 - angle.t) + table.values[w][angle.i + 1] * angle.t;
-    });
+    return between_rows(table, wavelength,
+                        [&](std::size_t w) { return table.values[w][angle.i] * (1.0 - angle.t) + table.values[w][angle.i + 1] * angle.t; });
 }
 
 // The integral over [a, b] of f sin, where f is linear from fa to fb.
@@ -76,7 +75,8 @@ template <class T>
 std::optional<Error> disorder(std::string_view name, const std::vector<T>& samples) {
     for (std::size_t i = 1; i < samples.size(); ++i)
         if (!(samples[i - 1] < samples[i]))
-            return Error{"", fmt::format("{} {} of a phase function does not lie above the one before it", name, i + 1), "Sort the samples and remove doubles."};
+            return Error{"", fmt::format("{} {} of a phase function does not lie above the one before it", name, i + 1),
+                         "Sort the samples and remove doubles."};
     return std::nullopt;
 }
 
@@ -87,7 +87,9 @@ std::optional<Error> wrong_shape(const TabulatedPhase& table) {
     if (table.wavelengths.empty()) return Error{"", "a phase function needs at least one wavelength", ""};
     if (std::optional<Error> error = disorder("wavelength", table.wavelengths)) return error;
     if (table.values.size() != table.wavelengths.size())
-        return Error{"", fmt::format("a phase function has {} rows of values for {} wavelengths", table.values.size(), table.wavelengths.size()), ""};
+        return Error{
+            "", fmt::format("a phase function has {} rows of values for {} wavelengths", table.values.size(), table.wavelengths.size()),
+            ""};
     return std::nullopt;
 }
 
@@ -107,15 +109,16 @@ std::optional<Error> wrong_row(const TabulatedPhase& table, std::size_t w) {
 }  // namespace
 
 InverseSolidAngle phase_value(const PhaseFunction& phase, double nu, Wavelength wavelength) {
-    return std::visit(
-        Overloaded{
-            [&](const IsotropicPhase&) { return 1.0 / (4.0 * pi) * per_sr; },
-            [&](const RayleighPhase& p) { return from_text(f64::depolarised_rayleigh_phase(p.depolarisation / (2.0 - p.depolarisation), nu)); },
-            [&](const HenyeyGreensteinPhase& p) { return from_text(f64::henyey_greenstein_phase(p.g.at(wavelength), nu)); },
-            [&](const CornetteShanksPhase& p) { return from_text(f64::cornette_shanks_phase(p.g.at(wavelength), nu)); },
-            [&](const TabulatedPhase& p) { return tabulated_value(p, nu, wavelength) * per_sr; },
-        },
-        phase);
+    return std::visit(Overloaded{
+                          [&](const IsotropicPhase&) { return 1.0 / (4.0 * pi) * per_sr; },
+                          [&](const RayleighPhase& p) {
+                              return from_text(f64::depolarised_rayleigh_phase(p.depolarisation / (2.0 - p.depolarisation), nu));
+                          },
+                          [&](const HenyeyGreensteinPhase& p) { return from_text(f64::henyey_greenstein_phase(p.g.at(wavelength), nu)); },
+                          [&](const CornetteShanksPhase& p) { return from_text(f64::cornette_shanks_phase(p.g.at(wavelength), nu)); },
+                          [&](const TabulatedPhase& p) { return tabulated_value(p, nu, wavelength) * per_sr; },
+                      },
+                      phase);
 }
 
 Result<PhaseFunction> tabulated_phase(TabulatedPhase table) {
@@ -130,33 +133,33 @@ Result<PhaseFunction> tabulated_phase(TabulatedPhase table) {
 }
 
 bool covers(const PhaseFunction& phase, Wavelength first, Wavelength last) {
-    return std::visit(
-        Overloaded{
-            [](const IsotropicPhase&) { return true; },
-            [](const RayleighPhase&) { return true; },
-            [&](const HenyeyGreensteinPhase& p) { return p.g.covers(first, last); },
-            [&](const CornetteShanksPhase& p) { return p.g.covers(first, last); },
-            [&](const TabulatedPhase& p) { return p.wavelengths.size() == 1 || (p.wavelengths.front() <= first && last <= p.wavelengths.back()); },
-        },
-        phase);
+    return std::visit(Overloaded{
+                          [](const IsotropicPhase&) { return true; },
+                          [](const RayleighPhase&) { return true; },
+                          [&](const HenyeyGreensteinPhase& p) { return p.g.covers(first, last); },
+                          [&](const CornetteShanksPhase& p) { return p.g.covers(first, last); },
+                          [&](const TabulatedPhase& p) {
+                              return p.wavelengths.size() == 1 || (p.wavelengths.front() <= first && last <= p.wavelengths.back());
+                          },
+                      },
+                      phase);
 }
 
 double asymmetry(const PhaseFunction& phase, Wavelength wavelength) {
-    return std::visit(
-        Overloaded{
-            [](const IsotropicPhase&) { return 0.0; },
-            [](const RayleighPhase&) { return 0.0; },
-            [&](const HenyeyGreensteinPhase& p) { return p.g.at(wavelength).value; },
-            [&](const CornetteShanksPhase& p) {
-                // [CornetteShanks1992, eq. 9], from the first three Legendre moments 1, g, g^2, g^3 of Henyey and Greenstein's.
-                const double g = p.g.at(wavelength).value;
-                return 3.0 * g * (4.0 + g * g) / (5.0 * (2.0 + g * g));
-            },
-            [&](const TabulatedPhase& p) {
-                return between_rows(p, wavelength, [&](std::size_t w) { return cosine_integral(p.angles, p.values[w]); });
-            },
-        },
-        phase);
+    return std::visit(Overloaded{
+                          [](const IsotropicPhase&) { return 0.0; },
+                          [](const RayleighPhase&) { return 0.0; },
+                          [&](const HenyeyGreensteinPhase& p) { return p.g.at(wavelength).value; },
+                          [&](const CornetteShanksPhase& p) {
+                              // [CornetteShanks1992, eq. 9], from the first three Legendre moments 1, g, g^2, g^3 of Henyey and Greenstein's.
+                              const double g = p.g.at(wavelength).value;
+                              return 3.0 * g * (4.0 + g * g) / (5.0 * (2.0 + g * g));
+                          },
+                          [&](const TabulatedPhase& p) {
+                              return between_rows(p, wavelength, [&](std::size_t w) { return cosine_integral(p.angles, p.values[w]); });
+                          },
+                      },
+                      phase);
 }
 
 }  // namespace airlight

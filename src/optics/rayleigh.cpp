@@ -41,8 +41,8 @@ double king_factor_of_air(Wavelength wavelength, double co2_ppm) {
 }
 
 Area rayleigh_cross_section_of_air(Wavelength wavelength, double co2_ppm) {
-    return rayleigh_cross_section(refractive_index_of_air(wavelength, co2_ppm), standard_number_density, king_factor_of_air(wavelength, co2_ppm),
-                                  wavelength);
+    return rayleigh_cross_section(refractive_index_of_air(wavelength, co2_ppm), standard_number_density,
+                                  king_factor_of_air(wavelength, co2_ppm), wavelength);
 }
 
 double refractive_index_of_carbon_dioxide(Wavelength wavelength) {
@@ -57,8 +57,8 @@ double refractive_index_of_carbon_dioxide(Wavelength wavelength) {
 double king_factor_of_carbon_dioxide(Wavelength wavelength) { return 1.1364 + 25.3e-4 * wavenumber2(wavelength); }
 
 Area rayleigh_cross_section_of_carbon_dioxide(Wavelength wavelength) {
-    return rayleigh_cross_section(refractive_index_of_carbon_dioxide(wavelength), standard_number_density, king_factor_of_carbon_dioxide(wavelength),
-                                  wavelength);
+    return rayleigh_cross_section(refractive_index_of_carbon_dioxide(wavelength), standard_number_density,
+                                  king_factor_of_carbon_dioxide(wavelength), wavelength);
 }
 
 Area rayleigh_cross_section(double n, NumberDensity density, double king_factor, Wavelength wavelength) {
@@ -82,7 +82,7 @@ double molecules_per_m2(const AirColumn& column) {
 }
 
 double rayleigh_optical_depth(Wavelength wavelength, const AirColumn& column) {
-    return rayleigh_cross_section_of_air(wavelength, column.co2_ppm).in(m2) * molecules_per_m2(column);
+    return rayleigh_cross_section_of_air(wavelength, column.co2_ppm).in(m2)*molecules_per_m2(column);
 }
 
 }  // namespace airlight

@@ -39,7 +39,8 @@ std::size_t series_terms(const LognormalSizes& sizes, Wavelength wavelength) {
     return mie_term_count(x);
 }
 
-MeanParticle mean_particle(const LognormalSizes& sizes, RefractiveIndex index, Wavelength wavelength, const MieAngles& angles, double log_step) {
+MeanParticle mean_particle(const LognormalSizes& sizes, RefractiveIndex index, Wavelength wavelength, const MieAngles& angles,
+                           double log_step) {
     assert(sizes.sigma > 1.0 && log_step > 0.0);
     const auto [low, high] = range_that_matters(sizes, wavelength);
     MeanParticle mean{0.0 * m2, 0.0 * m2, 0.0, std::vector<double>(angles.angle_count(), 0.0)};

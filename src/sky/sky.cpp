@@ -38,7 +38,8 @@ Result<std::unique_ptr<SkyDome>> Sky::dome(Length altitude, double sun_zenith) c
 
 Result<std::vector<double>> Sky::sunlight_transmittance(Length altitude, double view_zenith) const {
     const f64::Length h = f64::Length::of(altitude.value);
-    if (f64::meets_ground(h, std::cos(view_zenith), f64::Length::of(bottom_radius().value))) return std::vector<double>(wavelengths().size(), 0.0);
+    if (f64::meets_ground(h, std::cos(view_zenith), f64::Length::of(bottom_radius().value)))
+        return std::vector<double>(wavelengths().size(), 0.0);
     return transmittance(altitude, view_zenith, 1e12 * m);
 }
 

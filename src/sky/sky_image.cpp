@@ -14,7 +14,8 @@ constexpr int samples_across = 6;  // of a pixel that the sun's disk may touch
 
 class Painter {
 public:
-    Painter(const Sky& sky, const SkyDome& dome, const Sun& sun, const SkyScene& scene, const Projection& projection, const ColourWeights& weights)
+    Painter(const Sky& sky, const SkyDome& dome, const Sun& sun, const SkyScene& scene, const Projection& projection,
+            const ColourWeights& weights)
         : sky_(sky), dome_(dome), sun_(sun), scene_(scene), projection_(projection), weights_(weights) {
         to_sun_ = sky_direction({scene.sun_azimuth, scene.sun_zenith});
     }
@@ -40,7 +41,8 @@ private:
         Xyz sum{0.0, 0.0, 0.0};
         for (int j = 0; j < samples_across; ++j)
             for (int i = 0; i < samples_across; ++i) {
-                const std::optional<Vec3> view = direction(projection_, {column + (i + 0.5) / samples_across, row + (j + 0.5) / samples_across});
+                const std::optional<Vec3> view =
+                    direction(projection_, {column + (i + 0.5) / samples_across, row + (j + 0.5) / samples_across});
                 if (view) sum = sum + disk(*view);
             }
         return 1.0 / (samples_across * samples_across) * sum;

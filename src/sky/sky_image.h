@@ -12,11 +12,11 @@ namespace airlight {
 
 // What is looked at, and from where.
 struct SkyScene {
-    Length altitude = 0.0 * m;   // of the eye
-    double sun_zenith = 0.0;     // radians, 0 to pi
-    double sun_azimuth = 0.0;    // radians from north, clockwise
-    double sunlight = 1.0;       // irradiance of the sun relative to the atmosphere's own: 1 / distance_au^2
-    bool sun_disk = true;        // whether the disk itself is drawn, averaged over each pixel that it touches
+    Length altitude = 0.0 * m;  // of the eye
+    double sun_zenith = 0.0;    // radians, 0 to pi
+    double sun_azimuth = 0.0;   // radians from north, clockwise
+    double sunlight = 1.0;      // irradiance of the sun relative to the atmosphere's own: 1 / distance_au^2
+    bool sun_disk = true;       // whether the disk itself is drawn, averaged over each pixel that it touches
 };
 
 // Three channels, in cd m-2 of the primaries; colours out of their triangle are brought to its edge (RgbConverter::into_gamut).

@@ -15,12 +15,15 @@ constexpr int nodes_per_piece = 24;
 
 // The cosine between view and sun.
 double view_sun_cosine(double view_zenith, double sun_zenith, double relative_azimuth) {
-    return std::clamp(std::cos(view_zenith) * std::cos(sun_zenith) + std::sin(view_zenith) * std::sin(sun_zenith) * std::cos(relative_azimuth), -1.0, 1.0);
+    return std::clamp(
+        std::cos(view_zenith) * std::cos(sun_zenith) + std::sin(view_zenith) * std::sin(sun_zenith) * std::cos(relative_azimuth), -1.0,
+        1.0);
 }
 
 // The ray of a view within the air; none if it misses the air.
 std::optional<Ray> ray_of(const Shell& shell, const View& view) {
-    Ray ray{view.altitude.value, std::cos(view.view_zenith), std::cos(view.sun_zenith), view_sun_cosine(view.view_zenith, view.sun_zenith, view.relative_azimuth)};
+    Ray ray{view.altitude.value, std::cos(view.view_zenith), std::cos(view.sun_zenith),
+            view_sun_cosine(view.view_zenith, view.sun_zenith, view.relative_azimuth)};
     if (!enter_air(shell, ray)) return std::nullopt;
     return ray;
 }
@@ -28,7 +31,8 @@ std::optional<Ray> ray_of(const Shell& shell, const View& view) {
 RayLight light_along(const Tables::Pack& pack, const Ray& ray) {
     static thread_local RayNodes nodes;
     sample_ray(pack.air.shell, ray, pack.air.densities, pack.air.opacity, nodes_per_piece, nodes);
-    const Gathered everything{.single = true, .source = &pack.tables.source, .diffuse_on_ground = &pack.tables.irradiance, .direct_on_ground = true};
+    const Gathered everything{
+        .single = true, .source = &pack.tables.source, .diffuse_on_ground = &pack.tables.irradiance, .direct_on_ground = true};
     return gather(pack.air, pack.tables.transmittance, everything, nodes, static_cast<float>(ray.nu));
 }
 
@@ -56,7 +60,8 @@ Result<RadianceEstimate> TableSky::radiance(const View& view) const {
         for (int w = 0; w < pack.optics.wavelength_count; ++w) estimate.radiance_W_m2_sr_nm.push_back(0.0);
         if (!ray) continue;
         const f32::RadianceSpectrum radiance = with_phases(pack.optics, light_along(pack, *ray), nu);
-        double* first = &estimate.radiance_W_m2_sr_nm[estimate.radiance_W_m2_sr_nm.size() - static_cast<std::size_t>(pack.optics.wavelength_count)];
+        double* first =
+            &estimate.radiance_W_m2_sr_nm[estimate.radiance_W_m2_sr_nm.size() - static_cast<std::size_t>(pack.optics.wavelength_count)];
         for (int w = 0; w < pack.optics.wavelength_count; ++w) first[w] = radiance.v[w];
     }
     estimate.standard_error.assign(estimate.radiance_W_m2_sr_nm.size(), 0.0);
@@ -118,7 +123,8 @@ constexpr int azimuths = 91;
 // The light without phase functions on a grid of directions that crowds, above and below, towards the horizon.
 class TableDome : public SkyDome {
 public:
-    TableDome(std::shared_ptr<const Tables> tables, Length altitude, double sun_zenith) : tables_(std::move(tables)), sun_zenith_(sun_zenith) {
+    TableDome(std::shared_ptr<const Tables> tables, Length altitude, double sun_zenith)
+        : tables_(std::move(tables)), sun_zenith_(sun_zenith) {
         const Shell& shell = tables_->packs()[0].air.shell;
         const double r = shell.bottom_m + altitude.value;
         horizon_ = pi - std::asin(std::min(1.0, shell.bottom_m / r));
@@ -136,7 +142,8 @@ public:
         if (view_zenith < edge_) return;
         const double nu = view_sun_cosine(view_zenith, sun_zenith_, relative_azimuth);
         const bool sky = view_zenith <= horizon_;
-        const double s = sky ? std::sqrt((horizon_ - view_zenith) / (horizon_ - edge_)) : std::sqrt((view_zenith - horizon_) / (pi - horizon_));
+        const double s =
+            sky ? std::sqrt((horizon_ - view_zenith) / (horizon_ - edge_)) : std::sqrt((view_zenith - horizon_) / (pi - horizon_));
         const int count = sky ? sky_angles : ground_angles;
         const Place row = place(s, count, sky ? 0 : sky_angles);
         const double turn = std::abs(std::remainder(relative_azimuth, 2.0 * pi)) / pi;
@@ -163,7 +170,8 @@ private:
     double zenith_of(int i) const {
         // A hair off the horizon itself, on its own side.
         const bool sky = i < sky_angles;
-        const double s = std::max(1e-6, sky ? static_cast<double>(i) / (sky_angles - 1) : static_cast<double>(i - sky_angles) / (ground_angles - 1));
+        const double s =
+            std::max(1e-6, sky ? static_cast<double>(i) / (sky_angles - 1) : static_cast<double>(i - sky_angles) / (ground_angles - 1));
         return sky ? horizon_ - (horizon_ - edge_) * s * s * (1.0 - 1e-12) : horizon_ + (pi - horizon_) * s * s;
     }
 
@@ -195,8 +203,8 @@ private:
 
     std::shared_ptr<const Tables> tables_;
     double sun_zenith_;
-    double horizon_;  // zenith angle of the ground's edge
-    double edge_;     // zenith angle where the air begins: 0 within it
+    double horizon_;                            // zenith angle of the ground's edge
+    double edge_;                               // zenith angle where the air begins: 0 within it
     std::vector<std::vector<RayLight>> cells_;  // [pack][angle * azimuths + azimuth]
 };
 

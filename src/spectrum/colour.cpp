@@ -103,9 +103,7 @@ Rgb RgbConverter::into_gamut(Rgb c) const {
 }
 
 // 1.055 x^(1/2.4) - 0.055, written so that 1 stays 1 to the last bit.
-double srgb_encoded(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.0 + 1.055 * (std::pow(linear, 1.0 / 2.4) - 1.0);
-}
+double srgb_encoded(double linear) { return linear <= 0.0031308 ? 12.92 * linear : 1.0 + 1.055 * (std::pow(linear, 1.0 / 2.4) - 1.0); }
 double srgb_linear(double encoded) { return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4); }
 
 }  // namespace airlight

@@ -40,8 +40,7 @@ double refined(Point p, double low, double high) {
     for (int step = 0; step < 40; ++step) {
         const double a = high - golden * (high - low);
         const double b = low + golden * (high - low);
-        (distance_to_locus(p, a) < distance_to_locus(p, b) ? high : low) =
-            distance_to_locus(p, a) < distance_to_locus(p, b) ? b : a;
+        (distance_to_locus(p, a) < distance_to_locus(p, b) ? high : low) = distance_to_locus(p, a) < distance_to_locus(p, b) ? b : a;
     }
     return 0.5 * (low + high);
 }
@@ -55,8 +54,8 @@ Xyz black_body_colour(double kelvin) {
     const double reference = std::expm1(second_radiation_constant / (560.0 * kelvin));
     Xyz sum{0.0, 0.0, 0.0};
     for (const ColourMatch& row : cie1931()) {
-        const double light = std::pow(560.0 / row.wavelength_nm, 5) * reference /
-                             std::expm1(second_radiation_constant / (row.wavelength_nm * kelvin));
+        const double light =
+            std::pow(560.0 / row.wavelength_nm, 5) * reference / std::expm1(second_radiation_constant / (row.wavelength_nm * kelvin));
         sum = sum + light * Xyz{row.x, row.y, row.z};
     }
     return 1.0 / sum.y * sum;

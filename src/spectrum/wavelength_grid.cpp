@@ -44,10 +44,8 @@ Result<WavelengthGrid> parse_uniform(std::string_view text) {
     if (numbers->size() != 3) return Error{"", fmt::format("\"{}\" does not have first, last and count", text), forms};
     const double count = (*numbers)[2];
     if (!(count >= 1.0 && count <= WavelengthGrid::max_size && count == std::floor(count)))
-        return Error{"",
-                     fmt::format("{} wavelengths are asked for: the count is a whole number from 1 to {}", count,
-                                 WavelengthGrid::max_size),
-                     ""};
+        return Error{
+            "", fmt::format("{} wavelengths are asked for: the count is a whole number from 1 to {}", count, WavelengthGrid::max_size), ""};
     return WavelengthGrid::uniform((*numbers)[0] * nm, (*numbers)[1] * nm, static_cast<int>(count));
 }
 
@@ -62,31 +60,26 @@ Result<WavelengthGrid> WavelengthGrid::of(std::vector<Wavelength> wavelengths) {
         if (!(w >= shortest && w <= longest))
             return Error{"", fmt::format("{} nm is no wavelength of light: it must lie between 1 nm and 1 mm", w.in(nm)), ""};
         if (i > 0 && !(wavelengths[i - 1] < w))
-            return Error{
-                "",
-                fmt::format("{} nm does not lie above the wavelength before it, {} nm", w.in(nm), wavelengths[i - 1].in(nm)),
-                "Sort the wavelengths and remove doubles."};
+            return Error{"", fmt::format("{} nm does not lie above the wavelength before it, {} nm", w.in(nm), wavelengths[i - 1].in(nm)),
+                         "Sort the wavelengths and remove doubles."};
     }
     return WavelengthGrid(std::move(wavelengths));
 }
 
 Result<WavelengthGrid> WavelengthGrid::uniform(Wavelength first, Wavelength last, int count) {
     if (count < 1 || count > max_size)
-        return Error{"", fmt::format("{} wavelengths are asked for: the count is a whole number from 1 to {}", count, max_size),
-                     ""};
+        return Error{"", fmt::format("{} wavelengths are asked for: the count is a whole number from 1 to {}", count, max_size), ""};
     if (count == 1 && first != last)
         return Error{"", fmt::format("one wavelength cannot reach from {} to {} nm", first.in(nm), last.in(nm)),
                      "Ask for two or more, or for one alone."};
     std::vector<Wavelength> wavelengths;
-    for (int i = 0; i < count; ++i)
-        wavelengths.push_back(i + 1 == count ? last : first + (last - first) * (double(i) / (count - 1)));
+    for (int i = 0; i < count; ++i) wavelengths.push_back(i + 1 == count ? last : first + (last - first) * (double(i) / (count - 1)));
     return of(std::move(wavelengths));
 }
 
 WavelengthGrid WavelengthGrid::standard() {
     std::vector<Wavelength> wavelengths;
-    for (const double w : {360, 400, 430, 450, 465, 500, 525, 545, 565, 585, 600, 625, 660, 690, 710, 830})
-        wavelengths.push_back(w * nm);
+    for (const double w : {360, 400, 430, 450, 465, 500, 525, 545, 565, 585, 600, 625, 660, 690, 710, 830}) wavelengths.push_back(w * nm);
     return WavelengthGrid(std::move(wavelengths));
 }
 

@@ -103,8 +103,8 @@ Crossings crossings(const DayCurve& curve, double level) {
 SunDay sun_day(const Place& place, const Utc& date, double ut1_minus_utc_s) {
     const SkyOptions options{{}, ut1_minus_utc_s};
     const DayCurve curve = day_curve(date, [&](const Utc& t) { return sun_position(place, t, options).direction.zenith; });
-    const auto top = *std::min_element(curve.nodes.begin(), curve.nodes.end(),
-                                       [](const auto& a, const auto& b) { return a.value < b.value; });
+    const auto top =
+        *std::min_element(curve.nodes.begin(), curve.nodes.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
     return {crossings(curve, sunrise_zenith),           crossings(curve, civil_twilight_zenith),
             crossings(curve, nautical_twilight_zenith), crossings(curve, astronomical_twilight_zenith),
             *after(curve.midnight, top.second),         top.value};

@@ -67,8 +67,8 @@ eraASTROM observer(const Ephemeris& e, const Place& place) {
     const auto [tt1, tt2] = e.time.tt;
     const double rotation = eraEra00(e.time.ut1.first, e.time.ut1.second);
     eraASTROM astrom{};
-    eraApco(tt1, tt2, copy.earth_pv, copy.sun_to_earth, e.x, e.y, e.s, rotation, place.longitude, place.latitude,
-            place.altitude.in(m), 0.0, 0.0, eraSp00(tt1, tt2), 0.0, 0.0, &astrom);
+    eraApco(tt1, tt2, copy.earth_pv, copy.sun_to_earth, e.x, e.y, e.s, rotation, place.longitude, place.latitude, place.altitude.in(m), 0.0,
+            0.0, eraSp00(tt1, tt2), 0.0, 0.0, &astrom);
     return astrom;
 }
 
@@ -116,18 +116,15 @@ Result<Done> in_range(const char* where, double value, double low, double high, 
 Result<Place> place_of(Place place) {
     const auto latitude = in_range("latitude", place.latitude / deg, -90.0, 90.0, "deg", "North is positive, south negative.");
     if (!latitude) return latitude.error();
-    const auto longitude =
-        in_range("longitude", place.longitude / deg, -180.0, 180.0, "deg", "East is positive, west negative.");
+    const auto longitude = in_range("longitude", place.longitude / deg, -180.0, 180.0, "deg", "East is positive, west negative.");
     if (!longitude) return longitude.error();
-    const auto altitude =
-        in_range("altitude", place.altitude.in(m), -500.0, 1e6, "m", "It is the height above sea level in metres.");
+    const auto altitude = in_range("altitude", place.altitude.in(m), -500.0, 1e6, "m", "It is the height above sea level in metres.");
     if (!altitude) return altitude.error();
     return place;
 }
 
 Result<RefractionAir> refraction_air_of(RefractionAir air) {
-    const auto pressure =
-        in_range("pressure", air.pressure_hpa, 0.0, 1100.0, "hPa", "It is the pressure at the eye, not at sea level.");
+    const auto pressure = in_range("pressure", air.pressure_hpa, 0.0, 1100.0, "hPa", "It is the pressure at the eye, not at sea level.");
     if (!pressure) return pressure.error();
     const auto temperature = in_range("temperature", air.temperature_c, -100.0, 60.0, "deg C", "It is in degrees Celsius.");
     if (!temperature) return temperature.error();

@@ -108,22 +108,19 @@ Result<Utc> utc_of(Utc t) {
         return refuse(fmt::format("year {} is out of range: it must be {} to {}", t.year, first_year, last_year));
     if (t.month < 1 || t.month > 12) return refuse(fmt::format("month {} is out of range: it must be 1 to 12", t.month));
     const int days = month_length(t.year, t.month);
-    if (t.day < 1 || t.day > days)
-        return refuse(fmt::format("day {} is out of range: {}-{:02} has 1 to {}", t.day, t.year, t.month, days));
+    if (t.day < 1 || t.day > days) return refuse(fmt::format("day {} is out of range: {}-{:02} has 1 to {}", t.day, t.year, t.month, days));
     if (t.hour < 0 || t.hour > 23) return refuse(fmt::format("hour {} is out of range: it must be 0 to 23", t.hour));
     if (t.minute < 0 || t.minute > 59) return refuse(fmt::format("minute {} is out of range: it must be 0 to 59", t.minute));
     if (!(t.second >= 0.0 && t.second < 61.0))
         return refuse(fmt::format("second {:g} is out of range: it must be below 60, or 60 in a leap second", t.second));
     if (t.second >= 60.0 && !has_leap_second(t))
-        return refuse(fmt::format("second {:g} is out of range: {}-{:02}-{:02} {:02}:{:02} UTC has no leap second", t.second,
-                                  t.year, t.month, t.day, t.hour, t.minute));
+        return refuse(fmt::format("second {:g} is out of range: {}-{:02}-{:02} {:02}:{:02} UTC has no leap second", t.second, t.year,
+                                  t.month, t.day, t.hour, t.minute));
     return t;
 }
 
 Result<Utc> parse_utc(std::string_view text) {
-    const auto refuse = [&](std::string_view why) {
-        return Error{"", fmt::format("\"{}\" is not a time: {}", text, why), form};
-    };
+    const auto refuse = [&](std::string_view why) { return Error{"", fmt::format("\"{}\" is not a time: {}", text, why), form}; };
     Scanner scanner(text);
     Utc t;
     const auto year = scanner.digits(4);
@@ -155,15 +152,13 @@ Result<Utc> parse_utc(std::string_view text) {
 
 std::string utc_text(const Utc& t, int decimals) {
     assert(decimals >= 0 && decimals <= 9);
-    const std::string second =
-        fmt::format("{:012.9f}", t.second).substr(0, decimals > 0 ? 3 + static_cast<std::size_t>(decimals) : 2);
+    const std::string second = fmt::format("{:012.9f}", t.second).substr(0, decimals > 0 ? 3 + static_cast<std::size_t>(decimals) : 2);
     return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{}Z", t.year, t.month, t.day, t.hour, t.minute, second);
 }
 
 Result<Utc> after(const Utc& moment, double seconds) {
     constexpr double two_centuries = 201.0 * 366.0 * 86400.0;
-    if (!(std::abs(seconds) < two_centuries))
-        return Error{"", fmt::format("{:g} s lead out of the years 1900 to 2100", seconds), ""};
+    if (!(std::abs(seconds) < two_centuries)) return Error{"", fmt::format("{:g} s lead out of the years 1900 to 2100", seconds), ""};
     const int start = day_number(moment);
     const double total = second_of_day(moment) + seconds;
     int day = start + static_cast<int>(std::floor(total / 86400.0));

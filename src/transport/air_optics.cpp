@@ -107,7 +107,8 @@ AirOptics air_optics(const Atmosphere& atmosphere, std::span<const Wavelength> w
         const f64::ScatteringSpectrum scattering = sampled(pack, [&](Wavelength w) { return c.scattering.at(w); });
         const f64::ScatteringSpectrum absorption = sampled(pack, [&](Wavelength w) { return c.absorption.at(w); });
         const bool scatters = std::any_of(scattering.v, scattering.v + pack_size, [](double x) { return x > 0.0; });
-        optics.parts.push_back({c.profile, scattering, scattering + absorption, SpectralPhase(scatters ? c.phase : PhaseFunction(IsotropicPhase{}), pack), scatters});
+        optics.parts.push_back({c.profile, scattering, scattering + absorption,
+                                SpectralPhase(scatters ? c.phase : PhaseFunction(IsotropicPhase{}), pack), scatters});
     }
     optics.ground_albedo = sampled(pack, [&](Wavelength w) { return atmosphere.ground_albedo.at(w); });
     optics.solar_irradiance = sampled(pack, [&](Wavelength w) { return atmosphere.sun.irradiance.at(w); });

@@ -10,7 +10,9 @@ namespace airlight {
 
 namespace {
 
-double coordinate_of(double altitude_m, double top_m) { return f64::altitude_coordinate(f64::Length::of(altitude_m), f64::Length::of(top_m)).value; }
+double coordinate_of(double altitude_m, double top_m) {
+    return f64::altitude_coordinate(f64::Length::of(altitude_m), f64::Length::of(top_m)).value;
+}
 
 }  // namespace
 

@@ -28,7 +28,7 @@ constexpr int nodes_per_piece = 12;
 constexpr int sky_angles = 20;
 constexpr int ground_angles = 12;
 constexpr int layer_angles = 8;  // between the edge of a layer seen from above and the next one's, or the horizon
-constexpr int azimuths = 22;  // midpoints over half a turn: exact for products of two harmonics of degree 20
+constexpr int azimuths = 22;     // midpoints over half a turn: exact for products of two harmonics of degree 20
 
 // Phase functions are clipped at this angle from the sun; what stands above the clip is integrated over a disk of its own.
 constexpr double peak_radius = 25.0 * deg;
@@ -39,8 +39,8 @@ constexpr int peak_spokes = 12;
 struct ViewRule {
     struct Angle {
         double mu;
-        float weight;                   // d mu
-        std::vector<float> legendre;    // [layout.count()]
+        float weight;                 // d mu
+        std::vector<float> legendre;  // [layout.count()]
     };
     std::vector<Angle> angles;
 };
@@ -90,7 +90,8 @@ PeakRule peak_rule(double mu_s) {
             PeakRule::Direction direction{mu, std::cos(gamma), static_cast<float>(weight), legendre_values(layout, mu)};
             const double phi = std::acos(cos_phi);
             for (int k = 0; k <= layout.degree; ++k)
-                for (int l = k; l <= layout.degree; ++l) direction.harmonic[static_cast<std::size_t>(layout.index(l, k))] *= static_cast<float>(std::cos(k * phi));
+                for (int l = k; l <= layout.degree; ++l)
+                    direction.harmonic[static_cast<std::size_t>(layout.index(l, k))] *= static_cast<float>(std::cos(k * phi));
             rule.directions.push_back(std::move(direction));
         }
     }
@@ -102,14 +103,18 @@ using Coefficients = std::vector<RadianceSpectrum>;  // [layout.count()]
 class Baker {
 public:
     Baker(const AirOptics& optics, const BakeSettings& settings)
-        : optics_(optics), air_(pack_air(optics, settings.sizes)), sizes_(settings.sizes), transmittance_(transmittance_table(air_, sizes_.transmittance_mu)) {
+        : optics_(optics),
+          air_(pack_air(optics, settings.sizes)),
+          sizes_(settings.sizes),
+          transmittance_(transmittance_table(air_, sizes_.transmittance_mu)) {
         for (const AirOptics::Part& part : optics.parts) moments_.push_back(part.phase.legendre_moments(layout.degree + 1));
         for (int i = 0; i < sizes_.altitude; ++i) {
             const double h = altitude(i);
             views_.push_back(view_rule(edges_at(h)));
             scattering_factors_.push_back(factors_at(air_.source_axis.inner_altitude_m(i)));
             rays_.emplace_back();
-            for (const ViewRule::Angle& angle : views_.back().angles) rays_.back().emplace_back(air_, h, angle.mu, nodes_per_piece, source_size());
+            for (const ViewRule::Angle& angle : views_.back().angles)
+                rays_.back().emplace_back(air_, h, angle.mu, nodes_per_piece, source_size());
         }
         for (int j = 0; j < azimuths; ++j)
             for (int k = 0; k <= layout.degree; ++k)
@@ -118,7 +123,8 @@ public:
         for (int j = 0; j < sizes_.azimuth; ++j) {
             const double phi = std::acos(f64::azimuth_cosine_of_coordinate(static_cast<double>(j) / (sizes_.azimuth - 1)).value);
             texel_cosines_.emplace_back();
-            for (int k = 0; k <= layout.degree; ++k) texel_cosines_.back()[static_cast<std::size_t>(k)] = static_cast<float>(std::cos(k * phi));
+            for (int k = 0; k <= layout.degree; ++k)
+                texel_cosines_.back()[static_cast<std::size_t>(k)] = static_cast<float>(std::cos(k * phi));
         }
         for (int i = 0; i < sizes_.sun; ++i) peaks_.push_back(peak_rule(sun(i)));
         for (int i = 0; i < sizes_.view; ++i)
@@ -198,7 +204,8 @@ private:
         for (std::size_t p = 0; p < optics_.parts.size(); ++p) {
             for (std::size_t l = 0; l < factors.size(); ++l)
                 for (int w = 0; w < pack_size; ++w)
-                    if (total.v[w] > 0.0f) factors[l].v[w] += air_.scattering[p].v[w] * density[p] / total.v[w] * static_cast<float>(moments_[p][l].v[w]);
+                    if (total.v[w] > 0.0f)
+                        factors[l].v[w] += air_.scattering[p].v[w] * density[p] / total.v[w] * static_cast<float>(moments_[p][l].v[w]);
         }
         for (int w = 0; w < pack_size; ++w)
             if (!(total.v[w] > 0.0f)) factors[0].v[w] = 1.0f;  // no air here: any phase function will do
@@ -206,7 +213,8 @@ private:
     }
 
     // The light of one order around a point, scattered once more.
-    void scatter(int order, int i_h, int i_s, const Source& source, const Irradiance& irradiance, Source& next, Irradiance& next_irradiance) const {
+    void scatter(int order, int i_h, int i_s, const Source& source, const Irradiance& irradiance, Source& next,
+                 Irradiance& next_irradiance) const {
         Coefficients light(static_cast<std::size_t>(layout.count()), zero<RadianceSpectrum>());
         IrradianceSpectrum on_level = zero<IrradianceSpectrum>();
         const Gathered what{.single = order == 1,
@@ -235,10 +243,15 @@ private:
             by_order.fill(zero<RadianceSpectrum>());
             for (int j = 0; j < azimuths; ++j) {
                 const double phi = pi * (j + 0.5) / azimuths;
-                const double nu = std::clamp(angle.mu * mu_s + std::sqrt((1.0 - angle.mu * angle.mu) * (1.0 - mu_s * mu_s)) * std::cos(phi), -1.0, 1.0);
+                const double nu =
+                    std::clamp(angle.mu * mu_s + std::sqrt((1.0 - angle.mu * angle.mu) * (1.0 - mu_s * mu_s)) * std::cos(phi), -1.0, 1.0);
                 RadianceSpectrum radiance = ray.multiple(air_, transmittance_, what, static_cast<float>(mu_s), static_cast<float>(nu));
-                if (what.single) radiance += single_light(ray, {altitude(i_h), angle.mu, mu_s, nu}, [nu](const SpectralPhase& phase) { return phase.at(std::min(nu, std::cos(peak_radius))); });
-                for (int k = 0; k <= layout.degree; ++k) add_scaled(by_order[static_cast<std::size_t>(k)], radiance, azimuth_weights_[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)]);
+                if (what.single)
+                    radiance += single_light(ray, {altitude(i_h), angle.mu, mu_s, nu},
+                                             [nu](const SpectralPhase& phase) { return phase.at(std::min(nu, std::cos(peak_radius))); });
+                for (int k = 0; k <= layout.degree; ++k)
+                    add_scaled(by_order[static_cast<std::size_t>(k)], radiance,
+                               azimuth_weights_[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)]);
             }
             if (angle.mu > 0.0)
                 for (int w = 0; w < pack_size; ++w) on_level.v[w] += by_order[0].v[w] * angle.weight * static_cast<float>(angle.mu);
@@ -265,7 +278,9 @@ private:
         } else {
             RayNodes nodes;
             sample_ray(air_.shell, ray, air_.densities, air_.opacity, nodes_per_piece, nodes);
-            single = gather(air_, transmittance_, {.single = true, .source = nullptr, .diffuse_on_ground = nullptr, .direct_on_ground = false}, nodes, nu).single;
+            single = gather(air_, transmittance_,
+                            {.single = true, .source = nullptr, .diffuse_on_ground = nullptr, .direct_on_ground = false}, nodes, nu)
+                         .single;
         }
         for (std::size_t p = 0; p < optics_.parts.size(); ++p)
             if (optics_.parts[p].scatters) radiance += single[p] * narrowed<f32::PhaseSpectrum>(phase_of(optics_.parts[p].phase));
@@ -276,9 +291,9 @@ private:
     void add_peak(int i_h, int i_s, Coefficients& light, IrradianceSpectrum& on_level) const {
         for (const PeakRule::Direction& direction : peaks_[static_cast<std::size_t>(i_s)].directions) {
             const PreparedRay ray(air_, altitude(i_h), direction.mu, nodes_per_piece, source_size());
-            const RadianceSpectrum radiance = single_light(ray, {altitude(i_h), direction.mu, sun(i_s), direction.nu}, [&](const SpectralPhase& phase) {
-                return phase.at(direction.nu) - phase.at(std::cos(peak_radius));
-            });
+            const RadianceSpectrum radiance =
+                single_light(ray, {altitude(i_h), direction.mu, sun(i_s), direction.nu},
+                             [&](const SpectralPhase& phase) { return phase.at(direction.nu) - phase.at(std::cos(peak_radius)); });
             if (direction.mu > 0.0)
                 for (int w = 0; w < pack_size; ++w) on_level.v[w] += radiance.v[w] * direction.weight * static_cast<float>(direction.mu);
             for (std::size_t c = 0; c < light.size(); ++c) add_scaled(light[c], radiance, direction.weight * direction.harmonic[c]);
@@ -298,7 +313,9 @@ private:
             }
             for (int j = 0; j < sizes_.azimuth; ++j) {
                 RadianceSpectrum sum = zero<RadianceSpectrum>();
-                for (int k = 0; k <= layout.degree; ++k) add_scaled(sum, by_order[static_cast<std::size_t>(k)], texel_cosines_[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)]);
+                for (int k = 0; k <= layout.degree; ++k)
+                    add_scaled(sum, by_order[static_cast<std::size_t>(k)],
+                               texel_cosines_[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)]);
                 next[{i_s, j, i, i_h}] = max(sum, zero<RadianceSpectrum>());  // a cut series may ring below zero in the dark
             }
         }
@@ -343,14 +360,14 @@ private:
     PackAir air_;
     TableSizes sizes_;
     Table<f32::Spectrum, 2> transmittance_;
-    std::vector<std::vector<f64::Spectrum>> moments_;          // [part][degree + 1], of its phase function
-    std::vector<ViewRule> views_;                              // [altitude]
-    std::vector<std::vector<PreparedRay>> rays_;               // [altitude][view angle]
+    std::vector<std::vector<f64::Spectrum>> moments_;                             // [part][degree + 1], of its phase function
+    std::vector<ViewRule> views_;                                                 // [altitude]
+    std::vector<std::vector<PreparedRay>> rays_;                                  // [altitude][view angle]
     std::array<std::array<float, layout.degree + 1>, azimuths> azimuth_weights_;  // cos(k phi) times the share of a turn
-    std::vector<std::vector<f32::Spectrum>> scattering_factors_;  // [altitude][degree + 1]
-    std::vector<PeakRule> peaks_;                              // [sun]
-    std::vector<std::array<float, layout.degree + 1>> texel_cosines_;  // [azimuth], cos(k phi)
-    std::vector<std::vector<float>> texel_legendre_;           // [view][layout.count()]
+    std::vector<std::vector<f32::Spectrum>> scattering_factors_;                  // [altitude][degree + 1]
+    std::vector<PeakRule> peaks_;                                                 // [sun]
+    std::vector<std::array<float, layout.degree + 1>> texel_cosines_;             // [azimuth], cos(k phi)
+    std::vector<std::vector<float>> texel_legendre_;                              // [view][layout.count()]
 };
 
 }  // namespace

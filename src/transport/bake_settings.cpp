@@ -14,7 +14,8 @@ namespace {
 constexpr int max_size = 4096;
 constexpr std::int64_t max_texels = std::int64_t{1} << 25;
 constexpr int max_orders = 100;
-constexpr std::string_view form = "Write sun x azimuth x view x altitude, as in 64x16x32x32; the transmittance's angle x altitude may follow: 64x16x32x32,256x128.";
+constexpr std::string_view form =
+    "Write sun x azimuth x view x altitude, as in 64x16x32x32; the transmittance's angle x altitude may follow: 64x16x32x32,256x128.";
 
 // The whole numbers of "64x16x32": none if the text has another form.
 std::optional<std::vector<int>> numbers_between_x(std::string_view text) {
@@ -38,10 +39,12 @@ Result<BakeSettings> validated(BakeSettings settings) {
     const TableSizes& s = settings.sizes;
     for (const int size : {s.transmittance_mu, s.transmittance_altitude, s.sun, s.azimuth, s.view, s.altitude})
         if (size < 2 || size > max_size)
-            return Error{"table sizes", fmt::format("{} texels are out of range: it must be 2 to {} in each direction", size, max_size), ""};
+            return Error{"table sizes", fmt::format("{} texels are out of range: it must be 2 to {} in each direction", size, max_size),
+                         ""};
     // At most 2^48 each time, so that the product cannot wrap.
     const std::int64_t texels = std::int64_t{s.sun} * s.azimuth * s.view * s.altitude;
-    if (texels > max_texels) return Error{"table sizes", fmt::format("{} texels in all are too many: it must be {} at most", texels, max_texels), ""};
+    if (texels > max_texels)
+        return Error{"table sizes", fmt::format("{} texels in all are too many: it must be {} at most", texels, max_texels), ""};
     if (settings.orders < 1 || settings.orders > max_orders)
         return Error{"orders", fmt::format("{} is out of range: it must be 1 to {}", settings.orders, max_orders), ""};
     return settings;

@@ -13,9 +13,9 @@ namespace airlight {
 struct TableSizes {
     int transmittance_mu = 256;
     int transmittance_altitude = 128;
-    int sun = 64;        // cosine of the sun's zenith angle
+    int sun = 64;  // cosine of the sun's zenith angle
     int azimuth = 16;
-    int view = 32;       // view zenith angle
+    int view = 32;  // view zenith angle
     int altitude = 32;
     friend bool operator==(const TableSizes&, const TableSizes&) = default;
 };

@@ -141,7 +141,10 @@ void Columns::tabulate() {
                 h = shells_[s].high;
                 q = end;
             }
-            std::copy_n(columns.v, stride_, table_.begin() + static_cast<std::ptrdiff_t>((row * static_cast<std::size_t>(nodes_) + static_cast<std::size_t>(node)) * static_cast<std::size_t>(stride_)));
+            std::copy_n(
+                columns.v, stride_,
+                table_.begin() + static_cast<std::ptrdiff_t>((row * static_cast<std::size_t>(nodes_) + static_cast<std::size_t>(node)) *
+                                                             static_cast<std::size_t>(stride_)));
         }
     });
 }
@@ -178,7 +181,8 @@ void Columns::add_within(std::size_t shell, double h, double q, double t, Column
         for (int k = 0; k < points; ++k)
             for (int c = 0; c < 4; ++c) {
                 const double* a = p + block + c;
-                sum[c] += rule.w[k] * ((((a[4 * stride_] * z[k] + a[3 * stride_]) * z[k] + a[2 * stride_]) * z[k] + a[stride_]) * z[k] + a[0]);
+                sum[c] +=
+                    rule.w[k] * ((((a[4 * stride_] * z[k] + a[3 * stride_]) * z[k] + a[2 * stride_]) * z[k] + a[stride_]) * z[k] + a[0]);
             }
         for (int c = 0; c < 4; ++c) columns.v[block + c] += t * sum[c];
     }
@@ -198,10 +202,12 @@ ColumnSet Columns::outwards(double h, double q) const {
     const double u = std::log(x + std::sqrt(x * x + 1.0)) * nodes_per_unit_;
     const int first = std::clamp(static_cast<int>(u) - 1, 0, nodes_ - 4);
     const double f = u - first;
-    const double w[4] = {-(f - 1.0) * (f - 2.0) * (f - 3.0) / 6.0, f * (f - 2.0) * (f - 3.0) / 2.0, -f * (f - 1.0) * (f - 3.0) / 2.0, f * (f - 1.0) * (f - 2.0) / 6.0};
+    const double w[4] = {-(f - 1.0) * (f - 2.0) * (f - 3.0) / 6.0, f * (f - 2.0) * (f - 3.0) / 2.0, -f * (f - 1.0) * (f - 3.0) / 2.0,
+                         f * (f - 1.0) * (f - 2.0) / 6.0};
     const double* a = &table_[(s * static_cast<std::size_t>(nodes_) + static_cast<std::size_t>(first)) * static_cast<std::size_t>(stride_)];
     for (int block = 0; block < stride_; block += 4)
-        for (int c = block; c < block + 4; ++c) columns.v[c] += w[0] * a[c] + w[1] * a[stride_ + c] + w[2] * a[2 * stride_ + c] + w[3] * a[3 * stride_ + c];
+        for (int c = block; c < block + 4; ++c)
+            columns.v[c] += w[0] * a[c] + w[1] * a[stride_ + c] + w[2] * a[2 * stride_ + c] + w[3] * a[3 * stride_ + c];
     return columns;
 }
 
@@ -286,8 +292,8 @@ Columns::Stop Columns::at_distance(const Ray& ray, double t) const {
 
 // A rising leg from its lowest point: x is the distance from there.
 struct Columns::Leg {
-    double h, q;       // of the lowest point
-    double low, high;  // range of x in which to look
+    double h, q;               // of the lowest point
+    double low, high;          // range of x in which to look
     const ColumnSet* columns;  // outwards from the lowest point
 };
 
@@ -329,10 +335,12 @@ Columns::Stop Columns::at_depth(const Ray& ray, const ColumnSet& a, double depth
         stop.t = solve({ray.h, ray.q, 0.0, ray.length, &ray.start}, a, start - depth, here, stop.density);
         stop.column = difference(ray.start, here);
     } else if (const double low = sum(a, ray.low); start + depth <= low || ray.ground) {
-        stop.t = ray.low_t - solve({ray.low_h, std::max(0.0, -(ray.q + ray.low_t)), 0.0, ray.low_t, &ray.low}, a, std::min(start + depth, low), here, stop.density);
+        stop.t = ray.low_t - solve({ray.low_h, std::max(0.0, -(ray.q + ray.low_t)), 0.0, ray.low_t, &ray.low}, a,
+                                   std::min(start + depth, low), here, stop.density);
         stop.column = difference(here, ray.start);
     } else {
-        stop.t = ray.low_t + solve({ray.low_h, 0.0, 0.0, ray.length - ray.low_t, &ray.low}, a, 2.0 * low - start - depth, here, stop.density);
+        stop.t =
+            ray.low_t + solve({ray.low_h, 0.0, 0.0, ray.length - ray.low_t, &ray.low}, a, 2.0 * low - start - depth, here, stop.density);
         stop.column = difference(ray.total, here);
     }
     stop.t = std::clamp(stop.t, 0.0, ray.length);

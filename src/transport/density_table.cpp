@@ -7,7 +7,9 @@
 namespace airlight {
 
 DensityTable::DensityTable(std::span<const DensityProfile> profiles, Length top)
-    : profiles_(profiles.begin(), profiles.end()), parts_(static_cast<int>(profiles.size())), inverse_top_(static_cast<float>(1.0 / top.value)) {
+    : profiles_(profiles.begin(), profiles.end()),
+      parts_(static_cast<int>(profiles.size())),
+      inverse_top_(static_cast<float>(1.0 / top.value)) {
     assert(profiles.size() >= 1 && profiles.size() <= max_parts);
     for (const DensityProfile& profile : profiles)
         for (const Length altitude : jumps(profile))
@@ -27,7 +29,8 @@ DensityTable::DensityTable(std::span<const DensityProfile> profiles, Length top)
 }
 
 void DensityTable::exact_at(float altitude_m, float* densities) const {
-    for (std::size_t p = 0; p < profiles_.size(); ++p) densities[p] = static_cast<float>(relative_density(profiles_[p], static_cast<double>(altitude_m) * m));
+    for (std::size_t p = 0; p < profiles_.size(); ++p)
+        densities[p] = static_cast<float>(relative_density(profiles_[p], static_cast<double>(altitude_m) * m));
 }
 
 }  // namespace airlight

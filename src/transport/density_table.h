@@ -47,7 +47,7 @@ private:
     float inverse_top_;
     std::vector<double> jumps_m_;
     std::vector<char> jump_within_;  // [steps]
-    std::vector<float> values_;  // [steps + 1][parts]
+    std::vector<float> values_;      // [steps + 1][parts]
 };
 
 }  // namespace airlight

@@ -25,9 +25,7 @@ f32::Spectrum optical_depth_of(const PackAir& air, const float* columns_m) {
     return weighted_sum(air.extinction, columns_m, air.parts) * f32::m;
 }
 
-f32::Spectrum transmittance_of(const PackAir& air, const float* columns_m) {
-    return exp(-optical_depth_of(air, columns_m));
-}
+f32::Spectrum transmittance_of(const PackAir& air, const float* columns_m) { return exp(-optical_depth_of(air, columns_m)); }
 
 PackAir pack_air(const AirOptics& optics, const TableSizes& sizes) {
     std::vector<DensityProfile> profiles;
@@ -62,8 +60,9 @@ Table<f32::Spectrum, 2> transmittance_table(const PackAir& air, int mu_size) {
         RayNodes nodes;
         for (int i = 0; i < mu_size; ++i) {
             // A hair above the horizon, so that the last ray does not meet the ground by rounding.
-            const double mu = std::max(f64::transmittance_cosine_of_coordinate(h, static_cast<double>(i) / (mu_size - 1), bottom, top).value,
-                                       f64::horizon_cosine(h, bottom).value + 1e-12);
+            const double mu =
+                std::max(f64::transmittance_cosine_of_coordinate(h, static_cast<double>(i) / (mu_size - 1), bottom, top).value,
+                         f64::horizon_cosine(h, bottom).value + 1e-12);
             sample_ray(air.shell, {h.value, mu, 1.0, mu}, air.densities, {}, RayNodes::max_per_piece, nodes);
             table[{i, static_cast<int>(j)}] = optical_depth_of(air, nodes.total_column_m);
         }
@@ -82,7 +81,8 @@ f32::Spectrum sun_transmittance(const PackAir& air, const Table<f32::Spectrum, 2
     if (part == 0.0f) return zero<f32::Spectrum>();
     const f32::Number x = f32::transmittance_cosine_coordinate(h, f32::Number(std::max(mu_s, horizon)), bottom, top);
     const int size = transmittance.size()[0];
-    return exp(-transmittance.at({texels_at(f32::texture_coordinate(x, size).value, size), air.transmittance_axis.at(altitude_m)})) * f32::Number(part);
+    return exp(-transmittance.at({texels_at(f32::texture_coordinate(x, size).value, size), air.transmittance_axis.at(altitude_m)})) *
+           f32::Number(part);
 }
 
 f32::IrradianceSpectrum direct_irradiance(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, float altitude_m, float mu_s) {

@@ -53,14 +53,22 @@ AIRLIGHT_INLINE S weighted_sum_of(const std::array<S, max_parts>& spectra, const
 template <class S>
 AIRLIGHT_INLINE S weighted_sum(const std::array<S, max_parts>& spectra, const float* amounts, int parts) {
     switch (parts) {
-        case 1: return weighted_sum_of<1>(spectra, amounts);
-        case 2: return weighted_sum_of<2>(spectra, amounts);
-        case 3: return weighted_sum_of<3>(spectra, amounts);
-        case 4: return weighted_sum_of<4>(spectra, amounts);
-        case 5: return weighted_sum_of<5>(spectra, amounts);
-        case 6: return weighted_sum_of<6>(spectra, amounts);
-        case 7: return weighted_sum_of<7>(spectra, amounts);
-        default: return weighted_sum_of<max_parts>(spectra, amounts);
+        case 1:
+            return weighted_sum_of<1>(spectra, amounts);
+        case 2:
+            return weighted_sum_of<2>(spectra, amounts);
+        case 3:
+            return weighted_sum_of<3>(spectra, amounts);
+        case 4:
+            return weighted_sum_of<4>(spectra, amounts);
+        case 5:
+            return weighted_sum_of<5>(spectra, amounts);
+        case 6:
+            return weighted_sum_of<6>(spectra, amounts);
+        case 7:
+            return weighted_sum_of<7>(spectra, amounts);
+        default:
+            return weighted_sum_of<max_parts>(spectra, amounts);
     }
 }
 

@@ -9,12 +9,19 @@ namespace airlight {
 
 namespace {
 
-AIRLIGHT_INLINE Texels sun_texels(float mu_s, int size) { return texels_at(f32::texture_coordinate(f32::sun_coordinate(mu_s), size).value, size); }
-AIRLIGHT_INLINE Texels azimuth_texels(float cos_phi, int size) { return texels_at(f32::texture_coordinate(f32::azimuth_coordinate(cos_phi), size).value, size); }
-AIRLIGHT_INLINE Texels view_texels(float mu, int size) { return texels_at(f32::texture_coordinate(f32::view_coordinate(mu), size).value, size); }
+AIRLIGHT_INLINE Texels sun_texels(float mu_s, int size) {
+    return texels_at(f32::texture_coordinate(f32::sun_coordinate(mu_s), size).value, size);
+}
+AIRLIGHT_INLINE Texels azimuth_texels(float cos_phi, int size) {
+    return texels_at(f32::texture_coordinate(f32::azimuth_coordinate(cos_phi), size).value, size);
+}
+AIRLIGHT_INLINE Texels view_texels(float mu, int size) {
+    return texels_at(f32::texture_coordinate(f32::view_coordinate(mu), size).value, size);
+}
 
 // Light that the ground sends up where the ray ends.
-f32::RadianceSpectrum light_from_ground(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, const Gathered& what, float mu_s) {
+f32::RadianceSpectrum light_from_ground(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, const Gathered& what,
+                                        float mu_s) {
     f32::IrradianceSpectrum sum = zero<f32::IrradianceSpectrum>();
     if (what.direct_on_ground) sum += direct_irradiance(air, transmittance, 0.0f, mu_s);
     if (what.diffuse_on_ground) {
@@ -40,13 +47,15 @@ RayLight gather(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance
         if (what.source) {
             const auto& size = what.source->size();
             const float cos_phi = f32::relative_azimuth_cosine(nodes.mu[n], nodes.mu_s[n], nu).value;
-            const f32::RadianceSpectrum source = what.source->at({sun_texels(nodes.mu_s[n], size[0]), azimuth_texels(cos_phi, size[1]),
-                                                                  view_texels(nodes.mu[n], size[2]), air.source_axis.at(nodes.altitude_m[n])});
+            const f32::RadianceSpectrum source =
+                what.source->at({sun_texels(nodes.mu_s[n], size[0]), azimuth_texels(cos_phi, size[1]), view_texels(nodes.mu[n], size[2]),
+                                 air.source_axis.at(nodes.altitude_m[n])});
             light.multiple += source * (weighted_sum(air.scattering, nodes.density[n], air.parts) * seen);
         }
     }
     for (std::size_t p = 0; p < max_parts; ++p)
-        light.single[p] = static_cast<int>(p) < air.parts ? lit_length[p] * air.scattering[p] * air.solar_irradiance : zero<f32::IrradianceSpectrum>();
+        light.single[p] =
+            static_cast<int>(p) < air.parts ? lit_length[p] * air.scattering[p] * air.solar_irradiance : zero<f32::IrradianceSpectrum>();
     light.transmittance = transmittance_of(air, nodes.total_column_m);
     if (nodes.meets_ground) light.multiple += light_from_ground(air, transmittance, what, nodes.end_mu_s) * light.transmittance;
     return light;
@@ -78,7 +87,8 @@ PreparedRay::PreparedRay(const PackAir& air, double altitude_m, double mu, int n
     }
 }
 
-f32::RadianceSpectrum PreparedRay::multiple(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, const Gathered& what, float mu_s, float nu) const {
+f32::RadianceSpectrum PreparedRay::multiple(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, const Gathered& what,
+                                            float mu_s, float nu) const {
     f32::RadianceSpectrum light = zero<f32::RadianceSpectrum>();
     if (what.source) {
         const auto& size = what.source->size();
@@ -86,7 +96,8 @@ f32::RadianceSpectrum PreparedRay::multiple(const PackAir& air, const Table<f32:
             const float at = std::clamp(sun_cosine(node, mu_s, nu), -1.0f, 1.0f);
             const float sines = node.sine * std::sqrt(std::max(0.0f, 1.0f - at * at));
             const float cos_phi = sines > 1e-6f ? (nu - node.mu * at) / sines : 1.0f;
-            light += what.source->at({sun_texels(at, size[0]), azimuth_texels(cos_phi, size[1]), node.view, node.altitude}) * node.scattering;
+            light +=
+                what.source->at({sun_texels(at, size[0]), azimuth_texels(cos_phi, size[1]), node.view, node.altitude}) * node.scattering;
         }
     }
     if (meets_ground_) {
@@ -114,9 +125,11 @@ void PreparedRay::single(const PackAir& air, const Table<f32::Spectrum, 2>& tran
     for (const Node& node : nodes_) {
         const float at = std::clamp(sun_cosine(node, mu_s, nu), -1.0f, 1.0f);
         const f32::LengthSpectrum weight = node.seen * sun_transmittance(air, transmittance, node.altitude_m, at);
-        for (int p = 0; p < air.parts; ++p) lit_length[static_cast<std::size_t>(p)] += weight * f32::Number(node.density[static_cast<std::size_t>(p)]);
+        for (int p = 0; p < air.parts; ++p)
+            lit_length[static_cast<std::size_t>(p)] += weight * f32::Number(node.density[static_cast<std::size_t>(p)]);
     }
-    for (std::size_t p = 0; p < static_cast<std::size_t>(air.parts); ++p) light[p] = lit_length[p] * air.scattering[p] * air.solar_irradiance;
+    for (std::size_t p = 0; p < static_cast<std::size_t>(air.parts); ++p)
+        light[p] = lit_length[p] * air.scattering[p] * air.solar_irradiance;
 }
 
 }  // namespace airlight

@@ -35,7 +35,8 @@ public:
     PreparedRay(const PackAir& air, double altitude_m, double mu, int nodes_per_piece, const std::array<int, 4>& source_size);
 
     // Higher orders and light from the ground.
-    f32::RadianceSpectrum multiple(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, const Gathered& what, float mu_s, float nu) const;
+    f32::RadianceSpectrum multiple(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, const Gathered& what, float mu_s,
+                                   float nu) const;
 
     // Whether all of the ray stands in full sunlight, nothing of it does, or neither.
     enum class Lit { all, nothing, part };
@@ -48,19 +49,21 @@ public:
 private:
     // A node, with its place in the tables.
     struct Node {
-        f32::LengthSpectrum seen;       // transmittance from the start, times the length it stands for
-        f32::Spectrum scattering;       // the same times the scattering coefficient
+        f32::LengthSpectrum seen;  // transmittance from the start, times the length it stands for
+        f32::Spectrum scattering;  // the same times the scattering coefficient
         std::array<float, max_parts> density;
         float altitude_m;
         float mu;
-        float sine;                     // of the ray's zenith angle
+        float sine;  // of the ray's zenith angle
         float distance_m;
-        float inverse_radius;           // in 1/m
-        float horizon;                  // cosine of the zenith angle of the horizon
-        Texels view;                    // of the source
+        float inverse_radius;  // in 1/m
+        float horizon;         // cosine of the zenith angle of the horizon
+        Texels view;           // of the source
         Texels altitude;
     };
-    float sun_cosine(const Node& node, float mu_s, float nu) const { return (radius_m_ * mu_s + nu * node.distance_m) * node.inverse_radius; }
+    float sun_cosine(const Node& node, float mu_s, float nu) const {
+        return (radius_m_ * mu_s + nu * node.distance_m) * node.inverse_radius;
+    }
 
     std::vector<Node> nodes_;
     float radius_m_;  // of the start

@@ -33,7 +33,8 @@ PieceRule piece_rule(int n) {
         const double x = gauss.nodes[k];
         p[k][1] = x;
         for (std::size_t l = 2; l <= count; ++l)
-            p[k][l] = ((2.0 * static_cast<double>(l) - 1.0) * x * p[k][l - 1] - (static_cast<double>(l) - 1.0) * p[k][l - 2]) / static_cast<double>(l);
+            p[k][l] = ((2.0 * static_cast<double>(l) - 1.0) * x * p[k][l - 1] - (static_cast<double>(l) - 1.0) * p[k][l - 2]) /
+                      static_cast<double>(l);
     }
     for (std::size_t k = 0; k < count; ++k) {
         rule.node[k] = 0.5 * (gauss.nodes[k] + 1.0);
@@ -98,7 +99,8 @@ double free_path_beside(double altitude, bool above, const DensityTable& densiti
     float density[max_parts];
     densities.at(static_cast<float>(altitude * (above ? 1.0 + 1e-6 : 1.0 - 1e-6)), density);
     double extinction = 0.0;
-    for (int p = 0; p < densities.parts(); ++p) extinction += static_cast<double>(density[p]) * static_cast<double>(opacity[static_cast<std::size_t>(p)]);
+    for (int p = 0; p < densities.parts(); ++p)
+        extinction += static_cast<double>(density[p]) * static_cast<double>(opacity[static_cast<std::size_t>(p)]);
     return 1.0 / std::max(extinction, 1e-12);
 }
 
@@ -138,8 +140,8 @@ Cuts cuts_of(const Shell& shell, const Ray& ray, const Path& path, double length
 }
 
 // Appends the nodes of the piece [x_a, x_b], on one side of the perigee; `start` holds the columns before it and receives those after it.
-void add_piece(const Shell& shell, const Ray& ray, const Path& path, double x_a, double x_b, const PieceRule& rule, const DensityTable& densities,
-               float* start, RayNodes& nodes) {
+void add_piece(const Shell& shell, const Ray& ray, const Path& path, double x_a, double x_b, const PieceRule& rule,
+               const DensityTable& densities, float* start, RayNodes& nodes) {
     const bool rises = x_a + x_b > 0.0;
     const double x_low = rises ? std::max(x_a, 0.0) : std::min(x_b, 0.0);
     const double h_low = path.altitude(x_low);
@@ -181,14 +183,16 @@ void add_piece(const Shell& shell, const Ray& ray, const Path& path, double x_a,
 
 }  // namespace
 
-void sample_ray(const Shell& shell, const Ray& ray, const DensityTable& densities, const Opacity& opacity, int nodes_per_piece, RayNodes& nodes) {
+void sample_ray(const Shell& shell, const Ray& ray, const DensityTable& densities, const Opacity& opacity, int nodes_per_piece,
+                RayNodes& nodes) {
     assert(nodes_per_piece >= 2 && nodes_per_piece <= RayNodes::max_per_piece);
     const f64::Length h = f64::Length::of(ray.altitude_m);
     const f64::Length bottom = f64::Length::of(shell.bottom_m);
     const f64::Length top = f64::Length::of(shell.top_m);
     nodes.count = 0;
     nodes.meets_ground = f64::meets_ground(h, ray.mu, bottom);
-    double length = nodes.meets_ground ? f64::distance_to_ground(h, ray.mu, bottom).value : f64::distance_to_top(h, ray.mu, bottom, top).value;
+    double length =
+        nodes.meets_ground ? f64::distance_to_ground(h, ray.mu, bottom).value : f64::distance_to_top(h, ray.mu, bottom, top).value;
     if (ray.limit_m < length) {
         length = ray.limit_m;
         nodes.meets_ground = false;
@@ -197,7 +201,8 @@ void sample_ray(const Shell& shell, const Ray& ray, const DensityTable& densitie
     const Path path{shell.bottom_m, shell.bottom_m + ray.altitude_m, ray.altitude_m, (shell.bottom_m + ray.altitude_m) * ray.mu};
     nodes.end_distance_m = static_cast<float>(length);
     nodes.end_altitude_m = static_cast<float>(path.altitude(path.x0 + length));
-    nodes.end_mu_s = static_cast<float>(std::clamp((path.r0 * ray.mu_s + ray.nu * length) / (shell.bottom_m + path.altitude(path.x0 + length)), -1.0, 1.0));
+    nodes.end_mu_s = static_cast<float>(
+        std::clamp((path.r0 * ray.mu_s + ray.nu * length) / (shell.bottom_m + path.altitude(path.x0 + length)), -1.0, 1.0));
     std::fill(nodes.total_column_m, nodes.total_column_m + max_parts, 0.0f);
     if (!(length > 0.0)) return;
 

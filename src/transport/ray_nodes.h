@@ -17,10 +17,10 @@ struct Shell {
 
 // A ray from a point within the air, in the coordinates of docs/conventions.md.
 struct Ray {
-    double altitude_m;  // 0 to the top
-    double mu;          // cosine of its zenith angle
-    double mu_s;        // cosine of the sun's zenith angle
-    double nu;          // cosine of the angle between them
+    double altitude_m;       // 0 to the top
+    double mu;               // cosine of its zenith angle
+    double mu_s;             // cosine of the sun's zenith angle
+    double nu;               // cosine of the angle between them
     double limit_m = 1e300;  // where it ends, if it has not met the ground or left the air before
 };
 
@@ -33,18 +33,18 @@ struct RayNodes {
     static constexpr int capacity = max_per_piece * max_pieces;
 
     int count = 0;
-    bool meets_ground = false;             // before its limit
+    bool meets_ground = false;  // before its limit
     float end_distance_m = 0.0f;
     float end_altitude_m = 0.0f;
-    float end_mu_s = 0.0f;                 // cosine of the sun's zenith angle where the ray ends
+    float end_mu_s = 0.0f;  // cosine of the sun's zenith angle where the ray ends
     float altitude_m[capacity];
-    float mu[capacity];                    // of the ray itself
+    float mu[capacity];  // of the ray itself
     float mu_s[capacity];
-    float distance_m[capacity];            // from the start
-    float length_m[capacity];              // the quadrature weight
+    float distance_m[capacity];  // from the start
+    float length_m[capacity];    // the quadrature weight
     float density[capacity][max_parts];
-    float column_m[capacity][max_parts];   // integral of the density from the start to the node
-    float total_column_m[max_parts];       // to the end
+    float column_m[capacity][max_parts];  // integral of the density from the start to the node
+    float total_column_m[max_parts];      // to the end
 };
 
 // The greatest extinction of each part of the air, in 1/m where its density is 1, at the wavelengths that a ray is sampled for:
@@ -52,7 +52,8 @@ struct RayNodes {
 using Opacity = std::array<float, max_parts>;
 
 // `nodes_per_piece`: 2 to RayNodes::max_per_piece.
-void sample_ray(const Shell& shell, const Ray& ray, const DensityTable& densities, const Opacity& opacity, int nodes_per_piece, RayNodes& nodes);
+void sample_ray(const Shell& shell, const Ray& ray, const DensityTable& densities, const Opacity& opacity, int nodes_per_piece,
+                RayNodes& nodes);
 
 // Moves a ray whose start lies above the air to where it enters; false if it misses the air. Exact to a few parts in 1e16 of the distance.
 bool enter_air(const Shell& shell, Ray& ray);

@@ -52,7 +52,8 @@ Estimate statistics(const std::vector<f64::Spectrum>& groups) {
     return result;
 }
 
-Result<Estimate> estimate(const TracePath& trace, int heroes, const ReferenceSettings& settings, const Progress& progress, double done, double share) {
+Result<Estimate> estimate(const TracePath& trace, int heroes, const ReferenceSettings& settings, const Progress& progress, double done,
+                          double share) {
     const std::size_t groups = static_cast<std::size_t>(std::max<std::int64_t>(2, (settings.paths + group_size - 1) / group_size));
     constexpr std::size_t batch = 32;  // groups between two looks at the stop request
     std::vector<f64::Spectrum> means(groups);
@@ -72,7 +73,10 @@ Result<Estimate> estimate(const TracePath& trace, int heroes, const ReferenceSet
 Result<Done> check(const ReferenceSettings& settings) {
     if (settings.paths < 1) return Error{"", fmt::format("{} paths: there must be at least 1", settings.paths), ""};
     if (settings.first_order < 1 || settings.last_order < settings.first_order)
-        return Error{"", fmt::format("orders {} to {}: the first must be at least 1 and the last not below it", settings.first_order, settings.last_order), ""};
+        return Error{"",
+                     fmt::format("orders {} to {}: the first must be at least 1 and the last not below it", settings.first_order,
+                                 settings.last_order),
+                     ""};
     return Done{};
 }
 
@@ -99,12 +103,16 @@ Entry entry(double altitude, Vec3 up, const Vec3& direction, const Vec3& sun, co
 
 bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-Vec3 from_angles(double zenith, double azimuth) { return {std::sin(zenith) * std::cos(azimuth), std::sin(zenith) * std::sin(azimuth), std::cos(zenith)}; }
+Vec3 from_angles(double zenith, double azimuth) {
+    return {std::sin(zenith) * std::cos(azimuth), std::sin(zenith) * std::sin(azimuth), std::cos(zenith)};
+}
 
-Result<RadianceEstimate> radiance_at(double altitude, const Vec3& up, const Vec3& direction, const Vec3& sun, const ReferenceSettings& settings,
-                                     const Progress& progress, const std::vector<std::shared_ptr<const PathTracer>>& packs) {
+Result<RadianceEstimate> radiance_at(double altitude, const Vec3& up, const Vec3& direction, const Vec3& sun,
+                                     const ReferenceSettings& settings, const Progress& progress,
+                                     const std::vector<std::shared_ptr<const PathTracer>>& packs) {
     if (Result<Done> checked = check(settings); !checked) return checked.error();
-    if (!finite(up) || !finite(direction) || !finite(sun) || !std::isfinite(altitude)) return Error{"", "an eye, a view or a sun that is not finite", ""};
+    if (!finite(up) || !finite(direction) || !finite(sun) || !std::isfinite(altitude))
+        return Error{"", "an eye, a view or a sun that is not finite", ""};
     if (altitude < 0.0) return Error{"", fmt::format("the eye is {} m below the ground", -altitude), "Give an altitude of 0 m or more."};
     RadianceEstimate result;
     const Entry begin = entry(altitude, up, direction, sun, packs.front()->columns());
@@ -113,9 +121,12 @@ Result<RadianceEstimate> radiance_at(double altitude, const Vec3& up, const Vec3
         Estimate found{f64::Spectrum(f64::Number(0.0)), f64::Spectrum(f64::Number(0.0))};
         if (!begin.misses) {
             const TracePath trace = [&](int hero, double u, Random& random) {
-                return packs[p]->radiance(begin.start, {settings.first_order, settings.last_order}, hero, u, random) / f64::RadianceSpectrum::Scalar::of(1.0);
+                return packs[p]->radiance(begin.start, {settings.first_order, settings.last_order}, hero, u, random) /
+                       f64::RadianceSpectrum::Scalar::of(1.0);
             };
-            const Result<Estimate> traced = estimate(trace, packs[p]->heroes(), settings, progress, static_cast<double>(p) / static_cast<double>(packs.size()), 1.0 / static_cast<double>(packs.size()));
+            const Result<Estimate> traced =
+                estimate(trace, packs[p]->heroes(), settings, progress, static_cast<double>(p) / static_cast<double>(packs.size()),
+                         1.0 / static_cast<double>(packs.size()));
             if (!traced) return traced.error();
             found = *traced;
         }
@@ -130,29 +141,36 @@ Result<RadianceEstimate> radiance_at(double altitude, const Vec3& up, const Vec3
 Result<Reference> Reference::of(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths) {
     if (wavelengths.empty()) return Error{"", "no wavelength is given", ""};
     if (atmosphere.constituents.size() >= max_columns)
-        return Error{"", fmt::format("{} constituents: at most {} can be traced", atmosphere.constituents.size(), max_columns - 1), "Combine constituents that share a density profile."};
+        return Error{"", fmt::format("{} constituents: at most {} can be traced", atmosphere.constituents.size(), max_columns - 1),
+                     "Combine constituents that share a density profile."};
     const auto [first, last] = std::minmax_element(wavelengths.begin(), wavelengths.end());
     if (const Result<Done> covered = covers(atmosphere, *first, *last); !covered) return covered.error();
     Reference reference;
     const auto densities = path_densities(atmosphere);
-    reference.columns_ = std::make_shared<const Columns>(densities, f64::Length::of(atmosphere.bottom_radius.value), f64::Length::of(atmosphere.top_altitude.value));
-    for (const std::vector<Wavelength>& pack : packs(wavelengths)) reference.packs_.push_back(std::make_shared<const PathTracer>(air_optics(atmosphere, pack), reference.columns_));
+    reference.columns_ = std::make_shared<const Columns>(densities, f64::Length::of(atmosphere.bottom_radius.value),
+                                                         f64::Length::of(atmosphere.top_altitude.value));
+    for (const std::vector<Wavelength>& pack : packs(wavelengths))
+        reference.packs_.push_back(std::make_shared<const PathTracer>(air_optics(atmosphere, pack), reference.columns_));
     reference.wavelengths_ = std::move(wavelengths);
     return reference;
 }
 
 Result<RadianceEstimate> Reference::radiance(const View& view, const ReferenceSettings& settings, const Progress& progress) const {
-    return radiance_at(view.altitude.value, {0.0, 0.0, 1.0}, from_angles(view.view_zenith, 0.0), from_angles(view.sun_zenith, view.relative_azimuth), settings, progress, packs_);
+    return radiance_at(view.altitude.value, {0.0, 0.0, 1.0}, from_angles(view.view_zenith, 0.0),
+                       from_angles(view.sun_zenith, view.relative_azimuth), settings, progress, packs_);
 }
 
-Result<RadianceEstimate> Reference::radiance(const Vec3& eye, const Vec3& view, const Vec3& sun, const ReferenceSettings& settings, const Progress& progress) const {
+Result<RadianceEstimate> Reference::radiance(const Vec3& eye, const Vec3& view, const Vec3& sun, const ReferenceSettings& settings,
+                                             const Progress& progress) const {
     const double r = glm::length(eye);
     return radiance_at(r - columns_->bottom(), eye / r, glm::normalize(view), glm::normalize(sun), settings, progress, packs_);
 }
 
-Result<IrradianceEstimate> Reference::irradiance(Length altitude, double sun_zenith, const ReferenceSettings& settings, const Progress& progress) const {
+Result<IrradianceEstimate> Reference::irradiance(Length altitude, double sun_zenith, const ReferenceSettings& settings,
+                                                 const Progress& progress) const {
     if (Result<Done> checked = check(settings); !checked) return checked.error();
-    if (!(altitude.value >= 0.0 && altitude.value <= columns_->top())) return Error{"", fmt::format("an altitude of {} m lies outside the air", altitude.value), ""};
+    if (!(altitude.value >= 0.0 && altitude.value <= columns_->top()))
+        return Error{"", fmt::format("an altitude of {} m lies outside the air", altitude.value), ""};
     if (!std::isfinite(sun_zenith)) return Error{"", "a sun zenith angle that is not finite", ""};
     const Vec3 up(0.0, 0.0, 1.0);
     const Vec3 sun = from_angles(sun_zenith, 0.0);
@@ -162,7 +180,8 @@ Result<IrradianceEstimate> Reference::irradiance(Length altitude, double sun_zen
         const TracePath trace = [&](int hero, double u, Random& random) {
             // Directions in proportion to their cosine: pi times the mean radiance is the irradiance.
             const Vec3 direction = turned(up, std::sqrt(random()), 2.0 * pi * random());
-            return pack->radiance({altitude.value, up, direction, sun}, {settings.first_order, settings.last_order}, hero, u, random) * f64::Number(pi) / f64::RadianceSpectrum::Scalar::of(1.0);
+            return pack->radiance({altitude.value, up, direction, sun}, {settings.first_order, settings.last_order}, hero, u, random) *
+                   f64::Number(pi) / f64::RadianceSpectrum::Scalar::of(1.0);
         };
         const Result<Estimate> traced = estimate(trace, pack->heroes(), settings, progress, 0.0, 1.0);
         if (!traced) return traced.error();

@@ -27,7 +27,7 @@ struct View {
 struct ReferenceSettings {
     std::int64_t paths = 16384;  // rounded up to a multiple of 64, at least 128; the cost is linear in it
     std::uint64_t seed = 1;
-    int first_order = 1;  // only light scattered, or reflected by the ground, at least this often counts,
+    int first_order = 1;         // only light scattered, or reflected by the ground, at least this often counts,
     int last_order = 1'000'000;  // and at most this often
 };
 
@@ -56,7 +56,8 @@ public:
                                       const Progress& progress = {}) const;
 
     // What falls on a level plane at an altitude from above: 0 <= altitude <= top.
-    Result<IrradianceEstimate> irradiance(Length altitude, double sun_zenith, const ReferenceSettings& settings, const Progress& progress = {}) const;
+    Result<IrradianceEstimate> irradiance(Length altitude, double sun_zenith, const ReferenceSettings& settings,
+                                          const Progress& progress = {}) const;
 
     // Transmittance over a distance along a ray from an altitude in the air; the leg ends at the ground or the top if these come first.
     std::vector<double> transmittance(Length altitude, double view_zenith, Length distance) const;

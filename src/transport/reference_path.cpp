@@ -10,9 +10,9 @@ namespace {
 
 using f64::Spectrum;
 
-constexpr double low_sun = 0.2;         // cosine of the sun's zenith angle below which the aid density draws
-constexpr double aid_share = 0.5;       // that share of the distances
-constexpr double roulette_weight = 0.1; // paths that carry less are played for
+constexpr double low_sun = 0.2;          // cosine of the sun's zenith angle below which the aid density draws
+constexpr double aid_share = 0.5;        // that share of the distances
+constexpr double roulette_weight = 0.1;  // paths that carry less are played for
 
 // 1 - exp(-x) for x >= 0, without losing small x.
 Spectrum share_absorbed(const Spectrum& x) {
@@ -95,7 +95,11 @@ struct PathTracer::Collision {
 };
 
 PathTracer::PathTracer(AirOptics optics, std::shared_ptr<const Columns> columns)
-    : optics_(std::move(optics)), columns_(std::move(columns)), sun_(optics_.sun, optics_.wavelengths), hero_share_(f64::Number(0.0)), aid_index_(static_cast<int>(optics_.parts.size())) {
+    : optics_(std::move(optics)),
+      columns_(std::move(columns)),
+      sun_(optics_.sun, optics_.wavelengths),
+      hero_share_(f64::Number(0.0)),
+      aid_index_(static_cast<int>(optics_.parts.size())) {
     for (int l = 0; l < heroes(); ++l) hero_share_.v[l] = 1.0 / heroes();
     assert(aid_index_ < max_columns);
     for (std::size_t c = 0; c < optics_.parts.size(); ++c) {
@@ -179,7 +183,8 @@ bool PathTracer::advance(Path& path, double u, Random& random, Collision& collis
 // Moves the path to a collision with a scatterer of the air, given that there is one; false if there is none.
 bool PathTracer::collide(Path& path, const Columns::Ray& ray, const Spectrum& share, double u, Random& random, Collision& collision) const {
     const double low_mu_s = f64::sun_cosine_at(f64::Length::of(path.h), glm::dot(path.up, path.sun), glm::dot(path.direction, path.sun),
-                                               f64::Length::of(ray.low_t), f64::Length::of(ray.low_h), optics_.bottom_radius).value;
+                                               f64::Length::of(ray.low_t), f64::Length::of(ray.low_h), optics_.bottom_radius)
+                                .value;
     const double beta = low_mu_s < low_sun ? aid_share : 0.0;
     Columns::Stop stop;
     if (beta > 0.0 && random() < beta) {
@@ -191,9 +196,11 @@ bool PathTracer::collide(Path& path, const Columns::Ray& ray, const Spectrum& sh
     // The density of this stop for each hero: of collisions with scatterers, given that there is one; and the aid's.
     Spectrum coefficient(f64::Number(0.0));
     for (const int c : scatterers_)
-        for (int i = 0; i < pack_size; ++i) coefficient.v[i] += optics_.parts[static_cast<std::size_t>(c)].extinction.v[i] * stop.density.v[c];
+        for (int i = 0; i < pack_size; ++i)
+            coefficient.v[i] += optics_.parts[static_cast<std::size_t>(c)].extinction.v[i] * stop.density.v[c];
     const Spectrum reached = exp(-depth(stop.column, scatterers_));
-    const double aid_density = beta > 0.0 && ray.total.v[aid_index_] > 0.0 ? beta * stop.density.v[aid_index_] / ray.total.v[aid_index_] : 0.0;
+    const double aid_density =
+        beta > 0.0 && ray.total.v[aid_index_] > 0.0 ? beta * stop.density.v[aid_index_] / ray.total.v[aid_index_] : 0.0;
     for (int i = 0; i < pack_size; ++i)
         path.density.v[i] *= (1.0 - beta) * coefficient.v[i] * reached.v[i] / std::max(share.v[i], 1e-300) + aid_density;
     path.weight = path.weight * exp(-depth(stop.column, all_parts_));
@@ -225,7 +232,8 @@ void PathTracer::turn(Path& path, const Collision& collision, Random& random) co
     }
     double shares[max_columns];
     double total = 0.0;
-    for (const int c : scatterers_) shares[c] = total += optics_.parts[static_cast<std::size_t>(c)].scattering.v[path.hero] * collision.density.v[c];
+    for (const int c : scatterers_)
+        shares[c] = total += optics_.parts[static_cast<std::size_t>(c)].scattering.v[path.hero] * collision.density.v[c];
     const double pick = random() * total;
     const int chosen = *std::find_if(scatterers_.begin(), scatterers_.end() - 1, [&](int c) { return pick < shares[c]; });
     const DirectionSampler::Draw draw = samplers_[static_cast<std::size_t>(chosen)].draw(path.hero, random(), random());

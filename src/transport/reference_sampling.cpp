@@ -19,7 +19,8 @@ DirectionSampler::DirectionSampler(const SpectralPhase& phase) {
     for (int k = 0; k < bins; ++k) {
         const double width = edges_[static_cast<std::size_t>(k)] - edges_[static_cast<std::size_t>(k) + 1];
         f64::PhaseSpectrum mean(0.0 * f64::per_sr);
-        for (std::size_t i = 0; i < rule.nodes.size(); ++i) mean += phase.at(edges_[static_cast<std::size_t>(k)] - rule.nodes[i] * width) * f64::Number(rule.weights[i]);
+        for (std::size_t i = 0; i < rule.nodes.size(); ++i)
+            mean += phase.at(edges_[static_cast<std::size_t>(k)] - rule.nodes[i] * width) * f64::Number(rule.weights[i]);
         density_.push_back(mean);
         total += mean / f64::per_sr * f64::Number(2.0 * pi * width);
     }
@@ -41,7 +42,8 @@ DirectionSampler::Draw DirectionSampler::draw(int wavelength, double u, double w
     return {edges_[k] + (edges_[k + 1] - edges_[k]) * within, static_cast<int>(k)};
 }
 
-SunSampler::SunSampler(const Sun& sun, std::span<const Wavelength, pack_size> wavelengths) : cap_(2.0 * std::pow(std::sin(0.5 * sun.angular_radius), 2)) {
+SunSampler::SunSampler(const Sun& sun, std::span<const Wavelength, pack_size> wavelengths)
+    : cap_(2.0 * std::pow(std::sin(0.5 * sun.angular_radius), 2)) {
     for (int i = 0; i < pack_size; ++i) {
         const Wavelength w = wavelengths[static_cast<std::size_t>(i)];
         u1_.v[i] = sun.limb_darkening_1.at(w).value;

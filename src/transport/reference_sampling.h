@@ -14,7 +14,8 @@ namespace airlight {
 // A stream of its own for each (seed, stream), so that results do not depend on who draws when. SplitMix64 [Steele2014].
 class Random {
 public:
-    Random(std::uint64_t seed, std::uint64_t stream) : state_(mixed(seed + 0x9e3779b97f4a7c15u) ^ mixed(mixed(stream + 0x2545f4914f6cdd1du))) {}
+    Random(std::uint64_t seed, std::uint64_t stream)
+        : state_(mixed(seed + 0x9e3779b97f4a7c15u) ^ mixed(mixed(stream + 0x2545f4914f6cdd1du))) {}
 
     // Uniform in [0, 1), in steps of 2^-53.
     double operator()() {
@@ -57,9 +58,9 @@ public:
     const f64::PhaseSpectrum& density(int bin) const { return density_[static_cast<std::size_t>(bin)]; }
 
 private:
-    std::vector<double> edges_;              // [bins + 1] cosines, from 1 down to -1
+    std::vector<double> edges_;                // [bins + 1] cosines, from 1 down to -1
     std::vector<f64::PhaseSpectrum> density_;  // [bins]
-    std::vector<double> cumulative_;         // [wavelength][bins]
+    std::vector<double> cumulative_;           // [wavelength][bins]
 };
 
 // A direction on the sun's disk and the disk's radiance there relative to its mean.

@@ -45,7 +45,8 @@ public:
 
     AIRLIGHT_INLINE std::size_t index(std::array<int, D> i) const {
         std::size_t k = static_cast<std::size_t>(i[D - 1]);
-        for (int d = D - 2; d >= 0; --d) k = k * static_cast<std::size_t>(size_[static_cast<std::size_t>(d)]) + static_cast<std::size_t>(i[static_cast<std::size_t>(d)]);
+        for (int d = D - 2; d >= 0; --d)
+            k = k * static_cast<std::size_t>(size_[static_cast<std::size_t>(d)]) + static_cast<std::size_t>(i[static_cast<std::size_t>(d)]);
         return k;
     }
     Cell& operator[](std::array<int, D> i) { return cells_[index(i)]; }

@@ -56,7 +56,8 @@ public:
 
     void save(const TableOrigin& origin, const PackTables& tables) {
         if (!active_) return;
-        const Result<Done> saved = in_folder([&] { return write_tables(cache_file(settings_.folder, origin, tables_suffix), origin, std::span(&tables, 1)); });
+        const Result<Done> saved =
+            in_folder([&] { return write_tables(cache_file(settings_.folder, origin, tables_suffix), origin, std::span(&tables, 1)); });
         if (!saved) return warn(saved.error());
         std::error_code ignored;  // the state may not have been there
         std::filesystem::remove(cache_file(settings_.folder, origin, state_suffix), ignored);
@@ -64,7 +65,8 @@ public:
 
     void save_state(const TableOrigin& origin, const BakeState& state) {
         if (!active_) return;
-        const Result<Done> saved = in_folder([&] { return write_bake_state(cache_file(settings_.folder, origin, state_suffix), origin, state); });
+        const Result<Done> saved =
+            in_folder([&] { return write_bake_state(cache_file(settings_.folder, origin, state_suffix), origin, state); });
         if (!saved) warn(saved.error());
     }
 
@@ -73,7 +75,9 @@ private:
     Result<Done> in_folder(const Write& write) {
         std::error_code failed;
         std::filesystem::create_directories(settings_.folder, failed);
-        if (failed) return Error{settings_.folder.string(), "the cache folder cannot be made: " + failed.message(), "Tables are not kept; choose another folder."};
+        if (failed)
+            return Error{settings_.folder.string(), "the cache folder cannot be made: " + failed.message(),
+                         "Tables are not kept; choose another folder."};
         return write();
     }
 
@@ -143,7 +147,8 @@ Result<std::vector<CacheEntry>> cache_entries(const std::filesystem::path& folde
         if (!i->is_regular_file(failed)) continue;
         entries.push_back({i->path(), i->file_size(failed), read_table_summary(i->path())});
     }
-    if (failed) return Error{folder.string(), "the cache folder cannot be read: " + failed.message(), "Check the path and that you may read it."};
+    if (failed)
+        return Error{folder.string(), "the cache folder cannot be read: " + failed.message(), "Check the path and that you may read it."};
     std::sort(entries.begin(), entries.end(), [](const CacheEntry& a, const CacheEntry& b) { return a.path < b.path; });
     return entries;
 }

@@ -46,11 +46,11 @@ static_assert(sizeof(Head) == 128);
 
 // One table of the file.
 struct Entry {
-    char name[16];           // filled up with zeros
-    std::uint32_t size[4];   // texels, the first running fastest; 1 where there is no such dimension
-    std::uint32_t pack;      // which sixteen of the wavelengths, counted from 0
+    char name[16];          // filled up with zeros
+    std::uint32_t size[4];  // texels, the first running fastest; 1 where there is no such dimension
+    std::uint32_t pack;     // which sixteen of the wavelengths, counted from 0
     std::uint32_t unused;
-    std::uint64_t offset;    // in the file
+    std::uint64_t offset;  // in the file
     std::uint64_t bytes;
     std::uint64_t checksum;  // of the bytes
 };
@@ -163,7 +163,9 @@ std::string wrong_value(std::span<const std::byte> bytes) {
 Result<Done> write_sections(const std::filesystem::path& path, Front front, std::span<const SectionToWrite> sections) {
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const std::string wrong = wrong_value(sections[i].bytes);
-        if (!wrong.empty()) return Error{path.string(), fmt::format("is not written: in table {}, {}", sections[i].name, wrong), "This is a fault of the program: please report it."};
+        if (!wrong.empty())
+            return Error{path.string(), fmt::format("is not written: in table {}, {}", sections[i].name, wrong),
+                         "This is a fault of the program: please report it."};
         front.entries[i].checksum = XXH3_64bits(sections[i].bytes.data(), sections[i].bytes.size());
     }
     front.head.checksum = front.checksum();
@@ -188,7 +190,9 @@ public:
         if (std::filesystem::exists(path, failed) && !std::filesystem::is_regular_file(path, failed))
             return Error{path.string(), "is not a file", "Name a table file."};
         OpenFile file(path);
-        if (!file.stream_) return Error{path.string(), fmt::format("cannot be read: {}", std::strerror(errno)), "Check the path and that you may read it."};
+        if (!file.stream_)
+            return Error{path.string(), fmt::format("cannot be read: {}", std::strerror(errno)),
+                         "Check the path and that you may read it."};
         file.bytes_ = static_cast<std::uint64_t>(std::filesystem::file_size(path, failed));
         if (failed) return Error{path.string(), fmt::format("cannot be read: {}", failed.message()), ""};
         if (Result<Done> read = file.read_front(); !read) return read.error();
@@ -204,7 +208,8 @@ public:
         if (front_.head.key_high != origin.key.high || front_.head.key_low != origin.key.low)
             return wrong("belongs to another atmosphere, other wavelengths or other settings of the bake");
         if (front_.head.content != content)
-            return wrong(content == Content::tables ? "holds a bake that was not finished, not tables" : "holds tables, not a bake that was not finished");
+            return wrong(content == Content::tables ? "holds a bake that was not finished, not tables"
+                                                    : "holds tables, not a bake that was not finished");
         return Done{};
     }
 
@@ -240,17 +245,20 @@ private:
         const auto stem = static_cast<std::size_t>(std::min<std::uint64_t>(bytes_, sizeof head));
         if (!read(0, &head, stem)) return damaged("it cannot be read");
         if (std::memcmp(head.magic, magic, std::min(stem, sizeof magic)) != 0) return wrong("is not a table file of Airlight");
-        if (stem < sizeof head) return truncated(std::max<std::uint64_t>(sizeof head, stem >= offsetof(Head, key_high) ? head.file_bytes : 0));
+        if (stem < sizeof head)
+            return truncated(std::max<std::uint64_t>(sizeof head, stem >= offsetof(Head, key_high) ? head.file_bytes : 0));
         if (head.version != table_format_version)
             return wrong(fmt::format("was written by format version {}, this program reads {}", head.version, table_format_version));
         if (bytes_ < head.file_bytes) return truncated(head.file_bytes);
         if (bytes_ > head.file_bytes) return damaged(fmt::format("it has {} bytes, and its head says {}", bytes_, head.file_bytes));
-        if (head.wavelengths == 0 || head.wavelengths > max_wavelengths || head.sections > max_wavelengths) return damaged("counts of its head");
+        if (head.wavelengths == 0 || head.wavelengths > max_wavelengths || head.sections > max_wavelengths)
+            return damaged("counts of its head");
         front_.wavelengths_nm.resize(head.wavelengths);
         front_.entries.resize(head.sections);
         if (front_.bytes() > bytes_) return damaged("counts of its head");
         if (!read(sizeof head, front_.wavelengths_nm.data(), front_.wavelengths_nm.size() * sizeof(double)) ||
-            !read(sizeof head + front_.wavelengths_nm.size() * sizeof(double), front_.entries.data(), front_.entries.size() * sizeof(Entry)))
+            !read(sizeof head + front_.wavelengths_nm.size() * sizeof(double), front_.entries.data(),
+                  front_.entries.size() * sizeof(Entry)))
             return damaged("its head cannot be read");
         if (front_.checksum() != head.checksum) return damaged("checksum of its head");
         return Done{};
@@ -271,7 +279,9 @@ private:
     Front front_;
 };
 
-Table<f32::RadianceSpectrum, 4> source_table(const TableSizes& s) { return Table<f32::RadianceSpectrum, 4>({s.sun, s.azimuth, s.view, s.altitude}); }
+Table<f32::RadianceSpectrum, 4> source_table(const TableSizes& s) {
+    return Table<f32::RadianceSpectrum, 4>({s.sun, s.azimuth, s.view, s.altitude});
+}
 Table<f32::IrradianceSpectrum, 2> irradiance_table(const TableSizes& s) { return Table<f32::IrradianceSpectrum, 2>({s.sun, s.altitude}); }
 
 }  // namespace

@@ -15,13 +15,15 @@ Tables::Tables(Atmosphere atmosphere, std::vector<Wavelength> wavelengths, BakeS
     }
 }
 
-Result<Tables> bake_tables(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, const BakeSettings& settings, const Progress& progress) {
+Result<Tables> bake_tables(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, const BakeSettings& settings,
+                           const Progress& progress) {
     assert(!wavelengths.empty());
     const std::vector<std::vector<Wavelength>> groups = packs(wavelengths);
     std::vector<PackTables> baked;
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const double share = 1.0 / static_cast<double>(groups.size());
-        Result<PackTables> pack = bake_pack(air_optics(atmosphere, groups[i]), settings, part_of(progress, static_cast<double>(i) * share, share));
+        Result<PackTables> pack =
+            bake_pack(air_optics(atmosphere, groups[i]), settings, part_of(progress, static_cast<double>(i) * share, share));
         if (!pack) return pack.error();
         baked.push_back(std::move(*pack));
     }

@@ -38,6 +38,7 @@ private:
 
 // Bakes every pack, on all cores. Fails if a wavelength is not covered by the atmosphere, or if `progress` asks to stop.
 //   wavelengths  1 or more, strictly increasing
-Result<Tables> bake_tables(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, const BakeSettings& settings, const Progress& progress);
+Result<Tables> bake_tables(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, const BakeSettings& settings,
+                           const Progress& progress);
 
 }  // namespace airlight

@@ -33,7 +33,8 @@ public:
             if (!std::isfinite(samples[i].x.value) || !std::isfinite(samples[i].y.value))
                 return Error{"", "sample " + std::to_string(i + 1) + " is not finite", ""};
             if (i > 0 && !(samples[i - 1].x < samples[i].x))
-                return Error{"", "sample " + std::to_string(i + 1) + " does not lie above the one before it", "Sort the samples and remove doubles."};
+                return Error{"", "sample " + std::to_string(i + 1) + " does not lie above the one before it",
+                             "Sort the samples and remove doubles."};
         }
         return Curve(std::move(samples));
     }

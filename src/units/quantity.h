@@ -33,8 +33,7 @@ struct Quantity {
 
     // The same quantity in another representation (double to float at a border).
     template <class R2>
-    constexpr explicit Quantity(Quantity<R2, L, W, S, P> other) requires(!std::is_same_v<R, R2>)
-        : value(static_cast<R>(other.value)) {}
+    constexpr explicit Quantity(Quantity<R2, L, W, S, P> other) requires(!std::is_same_v<R, R2>) : value(static_cast<R>(other.value)) {}
 
     constexpr R in(Quantity unit) const { return value / unit.value; }
     constexpr explicit operator int() const requires dimensionless { return static_cast<int>(value); }
@@ -48,7 +47,10 @@ struct Quantity {
     friend constexpr Quantity operator/(Quantity a, double b) { return of(a.value / static_cast<R>(b)); }
     constexpr Quantity& operator+=(Quantity b) { return *this = *this + b; }
     constexpr Quantity& operator-=(Quantity b) { return *this = *this - b; }
-    constexpr Quantity& operator*=(NumberOf<R> b) { value *= b.value; return *this; }
+    constexpr Quantity& operator*=(NumberOf<R> b) {
+        value *= b.value;
+        return *this;
+    }
 
     friend constexpr bool operator==(Quantity a, Quantity b) { return a.value == b.value; }
     friend constexpr bool operator!=(Quantity a, Quantity b) { return a.value != b.value; }
@@ -82,9 +84,11 @@ Quantity<R, L / 2, W / 2, S / 2, P / 2> sqrt(Quantity<R, L, W, S, P> a) {
 }
 
 // The functions of plain numbers that GLSL ES 3.00 has too.
-#define AIRLIGHT_NUMBER_FUNCTION(name) \
-    template <class R>                 \
-    NumberOf<R> name(NumberOf<R> x) { return NumberOf<R>::of(std::name(x.value)); }
+#define AIRLIGHT_NUMBER_FUNCTION(name)              \
+    template <class R>                              \
+    NumberOf<R> name(NumberOf<R> x) {               \
+        return NumberOf<R>::of(std::name(x.value)); \
+    }
 AIRLIGHT_NUMBER_FUNCTION(exp)
 AIRLIGHT_NUMBER_FUNCTION(log)
 AIRLIGHT_NUMBER_FUNCTION(sin)
@@ -96,8 +100,12 @@ AIRLIGHT_NUMBER_FUNCTION(asinh)
 AIRLIGHT_NUMBER_FUNCTION(floor)
 #undef AIRLIGHT_NUMBER_FUNCTION
 template <class R>
-NumberOf<R> pow(NumberOf<R> x, NumberOf<R> y) { return NumberOf<R>::of(std::pow(x.value, y.value)); }
+NumberOf<R> pow(NumberOf<R> x, NumberOf<R> y) {
+    return NumberOf<R>::of(std::pow(x.value, y.value));
+}
 template <class R>
-NumberOf<R> pow(NumberOf<R> x, double y) { return NumberOf<R>::of(std::pow(x.value, static_cast<R>(y))); }
+NumberOf<R> pow(NumberOf<R> x, double y) {
+    return NumberOf<R>::of(std::pow(x.value, static_cast<R>(y)));
+}
 
 }  // namespace airlight

@@ -55,33 +55,33 @@ struct Spectral {
 
 template <class R, int N, int L, int W, int S, int P, int L2, int W2, int S2, int P2>
 AIRLIGHT_INLINE Spectral<R, N, L + L2, W + W2, S + S2, P + P2> operator*(const Spectral<R, N, L, W, S, P>& a,
-                                                                        const Spectral<R, N, L2, W2, S2, P2>& b) {
+                                                                         const Spectral<R, N, L2, W2, S2, P2>& b) {
     Spectral<R, N, L + L2, W + W2, S + S2, P + P2> r;
     for (int i = 0; i < N; ++i) r.v[i] = a.v[i] * b.v[i];
     return r;
 }
 template <class R, int N, int L, int W, int S, int P, int L2, int W2, int S2, int P2>
 AIRLIGHT_INLINE Spectral<R, N, L + L2, W + W2, S + S2, P + P2> operator*(const Spectral<R, N, L, W, S, P>& a,
-                                                                        Quantity<R, L2, W2, S2, P2> b) {
+                                                                         Quantity<R, L2, W2, S2, P2> b) {
     Spectral<R, N, L + L2, W + W2, S + S2, P + P2> r;
     for (int i = 0; i < N; ++i) r.v[i] = a.v[i] * b.value;
     return r;
 }
 template <class R, int N, int L, int W, int S, int P, int L2, int W2, int S2, int P2>
 AIRLIGHT_INLINE Spectral<R, N, L + L2, W + W2, S + S2, P + P2> operator*(Quantity<R, L2, W2, S2, P2> b,
-                                                                        const Spectral<R, N, L, W, S, P>& a) {
+                                                                         const Spectral<R, N, L, W, S, P>& a) {
     return a * b;
 }
 template <class R, int N, int L, int W, int S, int P, int L2, int W2, int S2, int P2>
 AIRLIGHT_INLINE Spectral<R, N, L - L2, W - W2, S - S2, P - P2> operator/(const Spectral<R, N, L, W, S, P>& a,
-                                                                        const Spectral<R, N, L2, W2, S2, P2>& b) {
+                                                                         const Spectral<R, N, L2, W2, S2, P2>& b) {
     Spectral<R, N, L - L2, W - W2, S - S2, P - P2> r;
     for (int i = 0; i < N; ++i) r.v[i] = a.v[i] / b.v[i];
     return r;
 }
 template <class R, int N, int L, int W, int S, int P, int L2, int W2, int S2, int P2>
 AIRLIGHT_INLINE Spectral<R, N, L - L2, W - W2, S - S2, P - P2> operator/(const Spectral<R, N, L, W, S, P>& a,
-                                                                        Quantity<R, L2, W2, S2, P2> b) {
+                                                                         Quantity<R, L2, W2, S2, P2> b) {
     Spectral<R, N, L - L2, W - W2, S - S2, P - P2> r;
     for (int i = 0; i < N; ++i) r.v[i] = a.v[i] / b.value;
     return r;

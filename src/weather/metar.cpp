@@ -61,10 +61,8 @@ bool continues(std::string_view group, std::string_view next) {
 std::vector<std::string> joined(const std::vector<std::string>& words) {
     std::vector<std::string> groups;
     for (const std::string& word : words) {
-        if (groups.empty() || !continues(groups.back(), word))
-            groups.emplace_back(word);
-        else
-            groups.back().append(1, ' ').append(word);
+        if (groups.empty() || !continues(groups.back(), word)) groups.emplace_back(word);
+        else groups.back().append(1, ' ').append(word);
     }
     return groups;
 }
@@ -101,8 +99,7 @@ Result<Done> read_time(std::string_view group, Metar& metar) {
     const auto hour = scanner.digits(2);
     const auto minute = scanner.digits(2);
     if (!day || !hour || !minute || scanner.rest() != "Z") return Error{"", "is not the time of the report", form};
-    if (*day < 1 || *day > 31)
-        return Error{"", fmt::format("is not the time of the report: day {} is not 1 to 31", *day), form};
+    if (*day < 1 || *day > 31) return Error{"", fmt::format("is not the time of the report: day {} is not 1 to 31", *day), form};
     if (*hour > 23) return Error{"", fmt::format("is not the time of the report: hour {} is not 0 to 23", *hour), form};
     if (*minute > 59) return Error{"", fmt::format("is not the time of the report: minute {} is not 0 to 59", *minute), form};
     metar.day = *day;
@@ -121,46 +118,36 @@ bool skip_correction(Groups& groups) {
 
 // METAR or SPECI, COR, the station, the time, and AUTO, COR or NIL behind it.
 Result<Done> read_head(Groups& groups, Metar& metar) {
-    if (groups.all.empty())
-        return Error{"METAR", "is empty", "Give a message such as METAR EDDF 171950Z 24015KT 9999 FEW020 18/09 Q1013."};
+    if (groups.all.empty()) return Error{"METAR", "is empty", "Give a message such as METAR EDDF 171950Z 24015KT 9999 FEW020 18/09 Q1013."};
     skip_server_line(groups);
-    if (groups.skip("SPECI"))
-        metar.kind = ReportKind::special;
-    else
-        groups.skip("METAR");
+    if (groups.skip("SPECI")) metar.kind = ReportKind::special;
+    else groups.skip("METAR");
     metar.corrected = groups.skip("COR");
     if (groups.empty())
         return wrong_group(groups, {"", "no station stands there", "Begin with METAR or the station: METAR EDDF 171950Z ..."});
     if (groups.front() == "TAF") return wrong_group(groups, {"", "is a forecast, not a report", "Give a METAR or SPECI."});
     if (!is_station(groups.front()))
-        return wrong_group(groups, {"", "is not a station",
-                                    "Its indicator has four capital letters or digits, a letter first, such as EDDF or KSFO."});
+        return wrong_group(
+            groups, {"", "is not a station", "Its indicator has four capital letters or digits, a letter first, such as EDDF or KSFO."});
     metar.station = groups.front();
     ++groups.next;
     if (groups.empty())
-        return wrong_group(groups,
-                           {"", "no time stands there", "Write day of the month, hour and minute of UTC and Z: 171953Z."});
+        return wrong_group(groups, {"", "no time stands there", "Write day of the month, hour and minute of UTC and Z: 171953Z."});
     if (const auto time = read_time(groups.front(), metar); !time) return wrong_group(groups, time.error());
     ++groups.next;
     while (!groups.empty()) {
-        if (groups.skip("AUTO"))
-            metar.automatic = true;
-        else if (skip_correction(groups))
-            metar.corrected = true;
-        else if (groups.skip("NIL"))
-            metar.nil = true;
-        else
-            break;
+        if (groups.skip("AUTO")) metar.automatic = true;
+        else if (skip_correction(groups)) metar.corrected = true;
+        else if (groups.skip("NIL")) metar.nil = true;
+        else break;
     }
     return Done{};
 }
 
 bool begins_trend(std::string_view group) {
     Scanner scanner(group);
-    if (scanner.skip("NOSIG") || scanner.skip("BECMG") || scanner.skip("TEMPO") || scanner.skip("INTER"))
-        return scanner.empty();
-    return (scanner.skip("PROB") && scanner.digits(2) && scanner.empty()) ||
-           (scanner.skip("FM") && scanner.digits(4) && scanner.empty());
+    if (scanner.skip("NOSIG") || scanner.skip("BECMG") || scanner.skip("TEMPO") || scanner.skip("INTER")) return scanner.empty();
+    return (scanner.skip("PROB") && scanner.digits(2) && scanner.empty()) || (scanner.skip("FM") && scanner.digits(4) && scanner.empty());
 }
 
 Result<Done> read_body(Groups& groups, Metar& metar) {
@@ -198,8 +185,7 @@ Result<Metar> parse_metar(std::string_view text) {
     if (const auto head = read_head(groups, metar); !head) return head.error();
     if (metar.nil && !groups.empty())
         return wrong_group(groups, {"", "stands behind NIL, which says that there is no report", "End the message after NIL."});
-    if (!metar.nil && groups.empty())
-        return wrong_group(groups, {"", "no weather stands there", "A report without weather ends in NIL."});
+    if (!metar.nil && groups.empty()) return wrong_group(groups, {"", "no weather stands there", "A report without weather ends in NIL."});
     if (const auto body = read_body(groups, metar); !body) return body.error();
     read_tail(groups, metar);
     return metar;

@@ -24,10 +24,10 @@ struct ReportedDistance {
 };
 
 struct ReportedWind {
-    std::optional<int> from_deg;      // true degrees, 0 to 360, where it blows from; none: variable or not measured
-    std::optional<double> speed_mps;  // m/s
-    std::optional<double> gust_mps;   // m/s
-    bool speed_at_least = false;      // "P99KT": the speed is beyond the scale
+    std::optional<int> from_deg;                        // true degrees, 0 to 360, where it blows from; none: variable or not measured
+    std::optional<double> speed_mps;                    // m/s
+    std::optional<double> gust_mps;                     // m/s
+    bool speed_at_least = false;                        // "P99KT": the speed is beyond the scale
     std::optional<int> varies_from_deg, varies_to_deg;  // "180V240", clockwise
 };
 

@@ -51,8 +51,7 @@ Result<Done> read_temperature(std::string_view group, Metar& metar) {
 constexpr const char* pressure_form = "Write it as Q1013 (hPa) or A2992 (hundredths of an inch of mercury).";
 
 bool looks_like_pressure(std::string_view group) {
-    return (group.starts_with('Q') || group.starts_with('A')) &&
-           (digit_at(group, 1) || group.starts_with("Q/") || group.starts_with("A/"));
+    return (group.starts_with('Q') || group.starts_with('A')) && (digit_at(group, 1) || group.starts_with("Q/") || group.starts_with("A/"));
 }
 
 Result<Done> read_pressure(std::string_view group, Metar& metar) {

@@ -39,10 +39,8 @@ Result<Done> read_cloud(std::string_view group, Metar& metar) {
             cloud.cover = c.cover;
             break;
         }
-    if (const auto hundreds_of_feet = scanner.digits(3))
-        cloud.base = *hundreds_of_feet * 100.0 * foot;
-    else if (!scanner.skip("///"))
-        return Error{"", "is not a cloud layer: after the cover comes its height in three digits", cloud_form};
+    if (const auto hundreds_of_feet = scanner.digits(3)) cloud.base = *hundreds_of_feet * 100.0 * foot;
+    else if (!scanner.skip("///")) return Error{"", "is not a cloud layer: after the cover comes its height in three digits", cloud_form};
     if (!scanner.empty() && !only_slashes(scanner.rest())) {
         if (!is_any(scanner.rest(), {"CB", "TCU"}))
             return Error{"", "is not a cloud layer: after the height only CB or TCU may stand", cloud_form};

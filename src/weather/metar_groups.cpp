@@ -24,8 +24,7 @@ bool only_slashes(std::string_view text) { return text.find_first_not_of('/') ==
 namespace {
 
 bool looks_supplementary(std::string_view group) {
-    const bool sea =
-        group.starts_with('W') && (group.find("/S") != std::string_view::npos || group.find("/H") != std::string_view::npos);
+    const bool sea = group.starts_with('W') && (group.find("/S") != std::string_view::npos || group.find("/H") != std::string_view::npos);
     const bool old_runway_state = group.size() == 8 && digit_at(group, 0) && digit_at(group, 1) &&
                                   group.find_first_not_of("0123456789/CLRDSNO") == std::string_view::npos;
     return sea || old_runway_state || group.starts_with("WS ") || starts_with_any(group, {"BLACK"}) ||
@@ -52,9 +51,7 @@ Result<Done> skip_group(std::string_view, Metar&) { return Done{}; }
 
 bool looks_like_anything(std::string_view) { return true; }
 
-bool looks_recent(std::string_view group) {
-    return group.starts_with("RE") && (group == "RE//" || read_weather(group.substr(2)));
-}
+bool looks_recent(std::string_view group) { return group.starts_with("RE") && (group == "RE//" || read_weather(group.substr(2))); }
 
 Result<Done> read_recent(std::string_view group, Metar& metar) {
     if (const auto weather = read_weather(group.substr(2))) metar.recent_weather.push_back(*weather);
@@ -87,8 +84,7 @@ constexpr std::array kinds = {&nothing, &header_word, &wind,        &wind_variat
 Result<Done> read_group(std::string_view group, Metar& metar) {
     if (group.find_first_of("abcdefghijklmnopqrstuvwxyz") != std::string_view::npos)
         return Error{"", "is not in capital letters", "A METAR is written in capital letters and digits."};
-    const auto kind =
-        std::find_if(metar_group::kinds.begin(), metar_group::kinds.end(), [&](const auto* k) { return k->looks(group); });
+    const auto kind = std::find_if(metar_group::kinds.begin(), metar_group::kinds.end(), [&](const auto* k) { return k->looks(group); });
     return (*kind)->read(group, metar);  // the last kind takes anything
 }
 

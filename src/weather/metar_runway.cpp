@@ -27,9 +27,7 @@ bool is_runway_state(std::string_view text) {
            (text.size() == 6 && text.find_first_not_of("0123456789/") == std::string_view::npos);
 }
 
-bool looks_like_runway(std::string_view group) {
-    return group.starts_with('R') && (digit_at(group, 1) || group.starts_with("R/"));
-}
+bool looks_like_runway(std::string_view group) { return group.starts_with('R') && (digit_at(group, 1) || group.starts_with("R/")); }
 
 bool is_runway(std::string_view name) {
     Scanner scanner(name);

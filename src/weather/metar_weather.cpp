@@ -15,9 +15,8 @@ struct Code {
     std::string_view meaning;
 };
 
-constexpr std::array descriptors = {Code{"MI", "shallow"},      Code{"BC", "patches"}, Code{"PR", "partial"},
-                                    Code{"DR", "low drifting"}, Code{"BL", "blowing"}, Code{"SH", "shower"},
-                                    Code{"TS", "thunderstorm"}, Code{"FZ", "freezing"}};
+constexpr std::array descriptors = {Code{"MI", "shallow"}, Code{"BC", "patches"}, Code{"PR", "partial"},      Code{"DR", "low drifting"},
+                                    Code{"BL", "blowing"}, Code{"SH", "shower"},  Code{"TS", "thunderstorm"}, Code{"FZ", "freezing"}};
 constexpr std::array phenomena = {Code{"DZ", "drizzle"},      Code{"RA", "rain"},         Code{"SN", "snow"},
                                   Code{"SG", "snow grains"},  Code{"IC", "ice crystals"}, Code{"PL", "ice pellets"},
                                   Code{"GR", "hail"},         Code{"GS", "small hail"},   Code{"UP", "unknown precipitation"},
@@ -71,14 +70,10 @@ bool PresentWeather::has(std::string_view phenomenon) const {
 std::optional<PresentWeather> read_weather(std::string_view group) {
     Scanner scanner(group);
     PresentWeather weather;
-    if (scanner.skip("-"))
-        weather.intensity = Intensity::light;
-    else if (scanner.skip("+"))
-        weather.intensity = Intensity::heavy;
-    else if (scanner.skip("VC"))
-        weather.intensity = Intensity::vicinity;
-    if (const Code* descriptor = find(descriptors, scanner.rest().substr(0, 2));
-        descriptor && scanner.skip(descriptor->letters))
+    if (scanner.skip("-")) weather.intensity = Intensity::light;
+    else if (scanner.skip("+")) weather.intensity = Intensity::heavy;
+    else if (scanner.skip("VC")) weather.intensity = Intensity::vicinity;
+    if (const Code* descriptor = find(descriptors, scanner.rest().substr(0, 2)); descriptor && scanner.skip(descriptor->letters))
         weather.descriptor = std::string(descriptor->letters);
     while (!scanner.empty()) {
         const auto letters = scanner.take(2);

@@ -21,9 +21,7 @@ std::optional<double> wind_unit(std::string_view unit) {
     return {};
 }
 
-bool looks_like_wind(std::string_view group) {
-    return group.ends_with("KT") || group.ends_with("MPS") || group.ends_with("KMH");
-}
+bool looks_like_wind(std::string_view group) { return group.ends_with("KT") || group.ends_with("MPS") || group.ends_with("KMH"); }
 
 Result<Done> read_wind(std::string_view group, Metar& metar) {
     if (metar.wind) return wind_error("is a second wind");
@@ -36,8 +34,7 @@ Result<Done> read_wind(std::string_view group, Metar& metar) {
     }
     wind.speed_at_least = scanner.skip("P");
     const std::optional<int> speed = scanner.digits(2, 3);
-    if (!speed && !scanner.skip("//"))
-        return wind_error("is not a wind: after the direction comes a speed of two or three digits");
+    if (!speed && !scanner.skip("//")) return wind_error("is not a wind: after the direction comes a speed of two or three digits");
     std::optional<int> gust;
     if (scanner.skip("G")) {
         wind.speed_at_least |= scanner.skip("P");
@@ -48,8 +45,7 @@ Result<Done> read_wind(std::string_view group, Metar& metar) {
     if (!unit) return wind_error("is not a wind: after the speed comes its unit, KT, MPS or KMH");
     if (speed) wind.speed_mps = *speed * *unit;
     if (gust) wind.gust_mps = *gust * *unit;
-    if (wind.speed_mps.value_or(0.0) > 150.0)
-        return wind_error(fmt::format("is not a wind: {:.0f} m/s is above 150", *wind.speed_mps));
+    if (wind.speed_mps.value_or(0.0) > 150.0) return wind_error(fmt::format("is not a wind: {:.0f} m/s is above 150", *wind.speed_mps));
     metar.wind = wind;
     return Done{};
 }

@@ -9,7 +9,9 @@ inline TableOrigin cache_origin() {
     return {.key = {0x0123456789abcdef, 0xfedcba9876543210},
             .name = "corpus",
             .wavelengths = {550.0 * nm},
-            .settings = {.sizes = {.transmittance_mu = 2, .transmittance_altitude = 2, .sun = 2, .azimuth = 2, .view = 2, .altitude = 2}, .orders = 3, .extrapolate = true}};
+            .settings = {.sizes = {.transmittance_mu = 2, .transmittance_altitude = 2, .sun = 2, .azimuth = 2, .view = 2, .altitude = 2},
+                         .orders = 3,
+                         .extrapolate = true}};
 }
 
 }  // namespace airlight::fuzz

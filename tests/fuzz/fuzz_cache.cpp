@@ -19,7 +19,8 @@ namespace {
 class MemoryFile {
 public:
     explicit MemoryFile(std::string_view bytes) : number_(::memfd_create("table file", MFD_CLOEXEC)) {
-        demand(number_ >= 0 && ::write(number_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()), "a file in memory can be made");
+        demand(number_ >= 0 && ::write(number_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()),
+               "a file in memory can be made");
     }
     ~MemoryFile() { ::close(number_); }
     MemoryFile(const MemoryFile&) = delete;
@@ -56,7 +57,8 @@ void check(std::string_view bytes) {
     } else {
         fuzz::demand_message(state.error());
     }
-    if (const auto summary = read_table_summary(file.path())) demand(!summary->wavelengths.empty() && summary->bytes == bytes.size(), "a summary is of the file");
+    if (const auto summary = read_table_summary(file.path()))
+        demand(!summary->wavelengths.empty() && summary->bytes == bytes.size(), "a summary is of the file");
     else fuzz::demand_message(summary.error());
 }
 

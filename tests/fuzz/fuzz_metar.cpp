@@ -11,8 +11,7 @@ using fuzz::demand;
 namespace {
 
 void check_distance(const std::optional<ReportedDistance>& reported) {
-    demand(!reported || (reported->distance >= 0.0 * m && reported->distance <= 200.0 * km),
-           "a distance is between 0 and 200 km");
+    demand(!reported || (reported->distance >= 0.0 * m && reported->distance <= 200.0 * km), "a distance is between 0 and 200 km");
 }
 
 void check(const Metar& metar) {
@@ -37,9 +36,7 @@ void check(const Metar& metar) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const Result<Metar> metar = parse_metar(fuzz::text_of(data, size));
-    if (metar)
-        check(*metar);
-    else
-        fuzz::demand_message(metar.error());
+    if (metar) check(*metar);
+    else fuzz::demand_message(metar.error());
     return 0;
 }

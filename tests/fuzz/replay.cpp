@@ -28,8 +28,7 @@ int main(int argc, char** argv) {
                 return 1;
             }
             const std::size_t step = bytes->size() / 256 + 1;
-            for (std::size_t length = 0; length < bytes->size(); length += step)
-                run(std::string_view(*bytes).substr(0, length));
+            for (std::size_t length = 0; length < bytes->size(); length += step) run(std::string_view(*bytes).substr(0, length));
             run(*bytes);
             ++files;
         }

@@ -22,7 +22,8 @@ Atmosphere plain() {
     a.bottom_radius = 6371.0 * km;
     a.top_altitude = 100.0 * km;
     a.constituents = {{"air", ExponentialProfile{8.0 * km}, coefficient(1e-5), coefficient(0.0), RayleighPhase{0.0279}},
-                      {"haze", ExponentialProfile{1.2 * km}, coefficient(3e-5), coefficient(1e-5), HenyeyGreensteinPhase{SpectrumOf<Number>::constant(0.76)}},
+                      {"haze", ExponentialProfile{1.2 * km}, coefficient(3e-5), coefficient(1e-5),
+                       HenyeyGreensteinPhase{SpectrumOf<Number>::constant(0.76)}},
                       {"ozone", TriangleProfile{10.0 * km, 25.0 * km, 40.0 * km}, coefficient(0.0), coefficient(1e-6), IsotropicPhase{}}};
     a.ground_albedo = SpectrumOf<Number>::constant(0.1);
     a.sun.angular_radius = 0.2666 * deg;
@@ -49,12 +50,14 @@ TEST_CASE("each rule that a description breaks is named by its key, its value an
         std::function<void(Atmosphere&)> spoil;
     };
     const Case cases[] = {
-        {"planet.radius = \"99 km\" is out of range: it must be from 100 km to 1000000000 km", [](Atmosphere& a) { a.bottom_radius = 99.0 * km; }},
+        {"planet.radius = \"99 km\" is out of range: it must be from 100 km to 1000000000 km",
+         [](Atmosphere& a) { a.bottom_radius = 99.0 * km; }},
         {"planet.radius", [](Atmosphere& a) { a.bottom_radius = 2e9 * km; }},
         {"planet.radius", [](Atmosphere& a) { a.bottom_radius = std::nan("") * km; }},
         {"planet.top = \"0 m\" is out of range: it must be above 0 m", [](Atmosphere& a) { a.top_altitude = 0.0 * m; }},
         {"planet.top", [](Atmosphere& a) { a.top_altitude = 7000.0 * km; }},
-        {"ground.albedo = 1.5 (at 700 nm) is out of range: it must be from 0 to 1", [](Atmosphere& a) { a.ground_albedo = numbers(0.1, 1.5); }},
+        {"ground.albedo = 1.5 (at 700 nm) is out of range: it must be from 0 to 1",
+         [](Atmosphere& a) { a.ground_albedo = numbers(0.1, 1.5); }},
         {"ground.albedo = -0.1", [](Atmosphere& a) { a.ground_albedo = SpectrumOf<Number>::constant(-0.1); }},
         {"sun.angular_radius", [](Atmosphere& a) { a.sun.angular_radius = -0.001; }},
         {"sun.angular_radius", [](Atmosphere& a) { a.sun.angular_radius = 90.0 * deg; }},
@@ -63,24 +66,50 @@ TEST_CASE("each rule that a description breaks is named by its key, its value an
         {"constituent = 9 tables", [](Atmosphere& a) { a.constituents.resize(9); }},
         {"constituent.name = \"air\"", [](Atmosphere& a) { a.constituents[1].name = "air"; }},
         {"constituent.name = \"\"", [](Atmosphere& a) { a.constituents[1].name.clear(); }},
-        {"haze.profile.scale_height = \"-1.2 km\" is out of range: it must be above 0 m", [](Atmosphere& a) { a.constituents[1].profile = ExponentialProfile{-1.2 * km}; }},
-        {"haze.profile.top", [](Atmosphere& a) { a.constituents[1].profile = ExponentialProfile{1.2 * km, 0.0 * m}; }},
-        {"haze.profile.high", [](Atmosphere& a) { a.constituents[1].profile = LayerProfile{2.0 * km, 2.0 * km}; }},
-        {"ozone.profile.peak", [](Atmosphere& a) { a.constituents[2].profile = TriangleProfile{25.0 * km, 10.0 * km, 40.0 * km}; }},
-        {"ozone.profile.high", [](Atmosphere& a) { a.constituents[2].profile = TriangleProfile{10.0 * km, 25.0 * km, 25.0 * km}; }},
+        {"haze.profile.scale_height = \"-1.2 km\" is out of range: it must be above 0 m",
+         [](Atmosphere& a) { a.constituents[1].profile = ExponentialProfile{-1.2 * km}; }},
+        {"haze.profile.top",
+         [](Atmosphere& a) {
+             a.constituents[1].profile = ExponentialProfile{1.2 * km, 0.0 * m};
+         }},
+        {"haze.profile.high",
+         [](Atmosphere& a) {
+             a.constituents[1].profile = LayerProfile{2.0 * km, 2.0 * km};
+         }},
+        {"ozone.profile.peak",
+         [](Atmosphere& a) {
+             a.constituents[2].profile = TriangleProfile{25.0 * km, 10.0 * km, 40.0 * km};
+         }},
+        {"ozone.profile.high",
+         [](Atmosphere& a) {
+             a.constituents[2].profile = TriangleProfile{10.0 * km, 25.0 * km, 25.0 * km};
+         }},
         {"ozone.profile.density = -1 (at 1 km)",
-         [](Atmosphere& a) { a.constituents[2].profile = TabulatedProfile{*Curve<Length, Number>::of({{0.0 * km, 1.0}, {1.0 * km, -1.0}})}; }},
+         [](Atmosphere& a) {
+             a.constituents[2].profile = TabulatedProfile{*Curve<Length, Number>::of({{0.0 * km, 1.0}, {1.0 * km, -1.0}})};
+         }},
         {"ozone.profile.altitude_m = -1",
-         [](Atmosphere& a) { a.constituents[2].profile = TabulatedProfile{*Curve<Length, Number>::of({{-1.0 * m, 1.0}, {1.0 * km, 1.0}})}; }},
-        {"air.scattering = -1e-05 is out of range: it must be 0 or more", [](Atmosphere& a) { a.constituents[0].scattering = coefficient(-1e-5); }},
+         [](Atmosphere& a) {
+             a.constituents[2].profile = TabulatedProfile{*Curve<Length, Number>::of({{-1.0 * m, 1.0}, {1.0 * km, 1.0}})};
+         }},
+        {"air.scattering = -1e-05 is out of range: it must be 0 or more",
+         [](Atmosphere& a) { a.constituents[0].scattering = coefficient(-1e-5); }},
         {"air.absorption = inf", [](Atmosphere& a) { a.constituents[0].absorption = coefficient(INFINITY); }},
         {"air.scattering.wavelength_nm = -1",
-         [](Atmosphere& a) { a.constituents[0].scattering = *SpectrumOf<InverseLength>::of({{-1.0 * nm, 0.0 * per_m}, {1.0 * nm, 0.0 * per_m}}); }},
+         [](Atmosphere& a) {
+             a.constituents[0].scattering = *SpectrumOf<InverseLength>::of({{-1.0 * nm, 0.0 * per_m}, {1.0 * nm, 0.0 * per_m}});
+         }},
         {"air.phase.depolarisation = 1", [](Atmosphere& a) { a.constituents[0].phase = RayleighPhase{1.0}; }},
         {"haze.phase.g = 1 ", [](Atmosphere& a) { a.constituents[1].phase = HenyeyGreensteinPhase{SpectrumOf<Number>::constant(1.0)}; }},
         {"haze.phase.g = -1 (at 400 nm)", [](Atmosphere& a) { a.constituents[1].phase = CornetteShanksPhase{numbers(-1.0, 0.0)}; }},
-        {"haze.phase.value", [](Atmosphere& a) { a.constituents[1].phase = TabulatedPhase{{0.0, pi}, {550.0 * nm}, {{1.0, 1.0}}}; }},
-        {"haze.phase.value", [](Atmosphere& a) { a.constituents[1].phase = TabulatedPhase{{0.0, pi}, {550.0 * nm}, {{1.0}}}; }},
+        {"haze.phase.value",
+         [](Atmosphere& a) {
+             a.constituents[1].phase = TabulatedPhase{{0.0, pi}, {550.0 * nm}, {{1.0, 1.0}}};
+         }},
+        {"haze.phase.value",
+         [](Atmosphere& a) {
+             a.constituents[1].phase = TabulatedPhase{{0.0, pi}, {550.0 * nm}, {{1.0}}};
+         }},
     };
     for (const Case& c : cases) {
         CAPTURE(c.message);
@@ -118,7 +147,8 @@ TEST_CASE("the vertical optical depth is the integral of the extinction over alt
     CHECK(extinction(a, 100.001 * km, w) == 0.0 * per_m);
     CHECK(scattering(a, 0.0 * m, w) == 4e-5 * per_m);
     CHECK(single_scattering_albedo(a.constituents[1], w) == 0.75);
-    CHECK(optical_depth(scaled(a.constituents[1], 2.0), 100.0 * km, w).value == 2.0 * optical_depth(a.constituents[1], 100.0 * km, w).value);
+    CHECK(optical_depth(scaled(a.constituents[1], 2.0), 100.0 * km, w).value ==
+          2.0 * optical_depth(a.constituents[1], 100.0 * km, w).value);
 }
 
 TEST_CASE("model atmospheres: the air above a square metre weighs what the pressure says, and ozone is some 3 mm of gas") {

@@ -32,20 +32,29 @@ SpectrumOf<Y> random_spectrum(double high, Y unit) {
 DensityProfile random_profile() {
     const double a = random_number(0, 1e4), b = a + random_number(1, 1e4), c = b + random_number(1, 1e4);
     switch (std::uniform_int_distribution<int>(0, 4)(dice)) {
-        case 0: return ExponentialProfile{b * m};
-        case 1: return ExponentialProfile{b * m, c * m};
-        case 2: return LayerProfile{a * m, b * m};
-        case 3: return TriangleProfile{a * m, b * m, c * m};
-        default: return TabulatedProfile{*Curve<Length, Number>::of({{a * m, random_number(0, 1)}, {b * m, random_number(0, 1)}, {c * m, 0.0}})};
+        case 0:
+            return ExponentialProfile{b * m};
+        case 1:
+            return ExponentialProfile{b * m, c * m};
+        case 2:
+            return LayerProfile{a * m, b * m};
+        case 3:
+            return TriangleProfile{a * m, b * m, c * m};
+        default:
+            return TabulatedProfile{*Curve<Length, Number>::of({{a * m, random_number(0, 1)}, {b * m, random_number(0, 1)}, {c * m, 0.0}})};
     }
 }
 
 PhaseFunction random_phase() {
     switch (std::uniform_int_distribution<int>(0, 4)(dice)) {
-        case 0: return IsotropicPhase{};
-        case 1: return RayleighPhase{random_number(0, 0.1)};
-        case 2: return HenyeyGreensteinPhase{random_spectrum<Number>(0.99, 1.0)};
-        case 3: return CornetteShanksPhase{random_spectrum<Number>(0.99, 1.0)};
+        case 0:
+            return IsotropicPhase{};
+        case 1:
+            return RayleighPhase{random_number(0, 0.1)};
+        case 2:
+            return HenyeyGreensteinPhase{random_spectrum<Number>(0.99, 1.0)};
+        case 3:
+            return CornetteShanksPhase{random_spectrum<Number>(0.99, 1.0)};
         default: {
             TabulatedPhase table{{0.0, random_number(0.1, 3.0), pi}, {400.0 * nm, random_number(401, 800) * nm}, {}};
             for (int w = 0; w < 2; ++w) table.values.push_back({random_number(0, 9), random_number(0.1, 1), random_number(0, 1)});
@@ -66,7 +75,8 @@ Atmosphere random_atmosphere() {
     a.sun.limb_darkening_2 = random_spectrum<Number>(0.5, 1.0);
     const int count = std::uniform_int_distribution<int>(0, 8)(dice);
     for (int i = 0; i < count; ++i)
-        a.constituents.push_back({"c" + std::to_string(i), random_profile(), random_spectrum<InverseLength>(1e-4, 1.0 * per_m), random_spectrum<InverseLength>(1e-4, 1.0 * per_m), random_phase()});
+        a.constituents.push_back({"c" + std::to_string(i), random_profile(), random_spectrum<InverseLength>(1e-4, 1.0 * per_m),
+                                  random_spectrum<InverseLength>(1e-4, 1.0 * per_m), random_phase()});
     return a;
 }
 
@@ -125,38 +135,62 @@ TEST_CASE("what is wrong in a file is said with its line, its key, its value and
     const Case cases[] = {
         {"[[constituent]]\nname = \"haze\"\nkind = \"generic\"\nprofile = { kind = \"exponential\", scale_height = \"-1200 m\" }\n",
          "earth.toml:7: haze.profile.scale_height = \"-1200 m\": it must be above 0 m\n  Earth's air is near \"8 km\""},
-        {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"exponential\", scale_heigth = \"1200 m\" }\n", "generic.profile.scale_height is missing"},
-        {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"layer\", low = \"1 km\", high = \"1 km\" }\n", "earth.toml:6: generic.profile.high = \"1 km\": it must be above low, 1 km"},
-        {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"layr\" }\n", "earth.toml:6: generic.profile.kind = \"layr\": it must be one of: exponential layer triangle tabulated\n  Did you mean \"layer\"?"},
+        {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"exponential\", scale_heigth = \"1200 m\" }\n",
+         "generic.profile.scale_height is missing"},
+        {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"layer\", low = \"1 km\", high = \"1 km\" }\n",
+         "earth.toml:6: generic.profile.high = \"1 km\": it must be above low, 1 km"},
+        {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"layr\" }\n",
+         "earth.toml:6: generic.profile.kind = \"layr\": it must be one of: exponential layer triangle tabulated\n  Did you mean "
+         "\"layer\"?"},
         {"[[constituent]]\nkind = \"generic\"\nprofile = \"us_standard\"\n", "generic.profile = \"us_standard\": it must be a table"},
-        {"[[constituent]]\nkind = \"aier\"\n", "earth.toml:5: aier.kind = \"aier\": it must be one of: air carbon_dioxide ozone nitrogen_dioxide aerosol generic\n  Did you mean \"air\"?"},
+        {"[[constituent]]\nkind = \"aier\"\n",
+         "earth.toml:5: aier.kind = \"aier\": it must be one of: air carbon_dioxide ozone nitrogen_dioxide aerosol generic\n  Did you mean "
+         "\"air\"?"},
         {"[[constituent]]\nname = \"x\"\n", "earth.toml:4: x.kind is missing"},
-        {"[[constituent]]\nkind = \"air\"\npresure_hpa = 1000\n", "earth.toml:6: air.presure_hpa is no key that this table has\n  Did you mean \"pressure_hpa\"?"},
+        {"[[constituent]]\nkind = \"air\"\npresure_hpa = 1000\n",
+         "earth.toml:6: air.presure_hpa is no key that this table has\n  Did you mean \"pressure_hpa\"?"},
         {"[[constituent]]\nkind = \"air\"\npressure_hpa = -1\n", "earth.toml:6: air.pressure_hpa = -1: it must be above 0"},
         {"[[constituent]]\nkind = \"air\"\npressure_hpa = nan\n", "earth.toml:6: air.pressure_hpa = nan: it must be a finite number"},
-        {"[[constituent]]\nkind = \"air\"\nprofile = \"tropcal\"\n", "earth.toml:6: air.profile = \"tropcal\": \"tropcal\" is no model atmosphere\n  Did you mean \"tropical\"?"},
+        {"[[constituent]]\nkind = \"air\"\nprofile = \"tropcal\"\n",
+         "earth.toml:6: air.profile = \"tropcal\": \"tropcal\" is no model atmosphere\n  Did you mean \"tropical\"?"},
         {"[[constituent]]\nkind = \"air\"\n[[constituent]]\nkind = \"air\"\n", "two constituents of this file have this name"},
-        {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"exponential\", scale_height = \"8 km\" }\nscattering = \"-1 1/m\"\n", "earth.toml:7: generic.scattering = -1 is out of range: it must be 0 or more"},
-        {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"exponential\", scale_height = \"8 km\" }\nscattering = 1e-5\n", "earth.toml:7: generic.scattering = 1e-05: it must be a number and a unit in quotes\n  Write a number and a unit of inverse length"},
-        {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"exponential\", scale_height = \"8 km\" }\nphase = { kind = \"henyey_greenstein\", g = 1.0 }\n", "earth.toml:7: generic.phase.g = 1: it must be above -1 and below 1"},
-        {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"exponential\", scale_height = \"8 km\" }\nscattering = { wavelength_nm = [400, 500], value_per_m = [1e-5] }\n",
+        {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"exponential\", scale_height = \"8 km\" }\nscattering = \"-1 1/m\"\n",
+         "earth.toml:7: generic.scattering = -1 is out of range: it must be 0 or more"},
+        {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"exponential\", scale_height = \"8 km\" }\nscattering = 1e-5\n",
+         "earth.toml:7: generic.scattering = 1e-05: it must be a number and a unit in quotes\n  Write a number and a unit of inverse "
+         "length"},
+        {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"exponential\", scale_height = \"8 km\" }\nphase = { kind = "
+         "\"henyey_greenstein\", g = 1.0 }\n",
+         "earth.toml:7: generic.phase.g = 1: it must be above -1 and below 1"},
+        {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"exponential\", scale_height = \"8 km\" }\nscattering = { wavelength_nm "
+         "= [400, 500], value_per_m = [1e-5] }\n",
          "earth.toml:7: generic.scattering.value_per_m = an array: it has 1 values, but wavelength_nm has 2"},
-        {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"exponential\", scale_height = \"8 km\" }\nscattering = { wavelength_nm = [500, 400], value_per_m = [1e-5, 1e-5] }\n",
+        {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"exponential\", scale_height = \"8 km\" }\nscattering = { wavelength_nm "
+         "= [500, 400], value_per_m = [1e-5, 1e-5] }\n",
          "earth.toml:7: generic.scattering.wavelength_nm = an array: sample 2 does not lie above the one before it"},
-        {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"tabulated\", altitude_m = [0, \"x\"], density = [1, 0] }\n", "generic.profile.altitude_m has \"x\" in it: it must hold finite numbers only"},
-        {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = 0.9\nphase = { kind = \"isotropic\" }\namount = { visibility = \"500 km\" }\n",
-         "earth.toml:9: aerosol.amount.visibility = \"500 km\": a visibility of 500 km is out of range: in air without any aerosol one sees"},
-        {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = 0.9\nphase = { kind = \"isotropic\" }\namount = { visibility = \"5 km\", turbidity = 2 }\n",
+        {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"tabulated\", altitude_m = [0, \"x\"], density = [1, 0] }\n",
+         "generic.profile.altitude_m has \"x\" in it: it must hold finite numbers only"},
+        {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = "
+         "0.9\nphase = { kind = \"isotropic\" }\namount = { visibility = \"500 km\" }\n",
+         "earth.toml:9: aerosol.amount.visibility = \"500 km\": a visibility of 500 km is out of range: in air without any aerosol one "
+         "sees"},
+        {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = "
+         "0.9\nphase = { kind = \"isotropic\" }\namount = { visibility = \"5 km\", turbidity = 2 }\n",
          "visibility has said how much already"},
-        {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = 0.9\nphase = { kind = \"isotropic\" }\namount = { visibility = \"5 km\", contrast = 1 }\n",
+        {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = "
+         "0.9\nphase = { kind = \"isotropic\" }\namount = { visibility = \"5 km\", contrast = 1 }\n",
          "a contrast of 1 is out of range: it must be above 0 and below 1"},
-        {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = 0.9\nphase = { kind = \"isotropic\" }\namount = { turbidity = 2, contrast = 0.05 }\n",
+        {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = "
+         "0.9\nphase = { kind = \"isotropic\" }\namount = { turbidity = 2, contrast = 0.05 }\n",
          "earth.toml:9: aerosol.amount.contrast = 0.05: it says how far a visibility is, and none is given"},
-        {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = 1.9\nphase = { kind = \"isotropic\" }\namount = { turbidity = 2 }\n",
+        {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = "
+         "1.9\nphase = { kind = \"isotropic\" }\namount = { turbidity = 2 }\n",
          "earth.toml:7: aerosol.single_scattering_albedo = 1.9: 1.9 is out of range: it must be from 0 to 1"},
-        {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = 0.9\nphase = { kind = \"isotropic\" }\namount = { angstrom = { alpha = 1, beta = 1e308 } }\n",
+        {"[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1 km\" }\nsingle_scattering_albedo = "
+         "0.9\nphase = { kind = \"isotropic\" }\namount = { angstrom = { alpha = 1, beta = 1e308 } }\n",
          "earth.toml:9: aerosol.amount.angstrom = a table: a beta of 1e+308 is out of range: it must be from 0 to 1e6"},
-        {"[[constituent]]\nkind = \"air\"\nprofile = { kind = \"layer\", low = \"1e9 km\", high = \"2e9 km\" }\n", "earth.toml:6: air.profile = a table: below the top it must hold"},
+        {"[[constituent]]\nkind = \"air\"\nprofile = { kind = \"layer\", low = \"1e9 km\", high = \"2e9 km\" }\n",
+         "earth.toml:6: air.profile = a table: below the top it must hold"},
         {"[ground]\nalbedo = 1.5\n", "earth.toml:5: ground.albedo = 1.5 is out of range: it must be from 0 to 1"},
         {"[ground]\nalbedo = \"gras\"\n", "earth.toml:5: ground.albedo = \"gras\": \"gras\" is no ground\n  Did you mean \"grass\"?"},
         {"[sun]\nspectrum = \"sun\"\n", "earth.toml:5: sun.spectrum = \"sun\": the only spectrum with a name"},
@@ -174,9 +208,11 @@ TEST_CASE("what is wrong in a file is said with its line, its key, its value and
     }
     CHECK(message("").find("planet is missing") != std::string::npos);
     CHECK(message("[planet]\nradius = \"6371\"\ntop = \"1 km\"\n").find("earth.toml:2: planet.radius = \"6371\"") == 0);
-    CHECK(message("[planet]\nradius = \"50 km\"\ntop = \"1 km\"\n").find("earth.toml:2: planet.radius = \"50 km\" is out of range: it must be from 100 km") == 0);
+    CHECK(message("[planet]\nradius = \"50 km\"\ntop = \"1 km\"\n")
+              .find("earth.toml:2: planet.radius = \"50 km\" is out of range: it must be from 100 km") == 0);
     CHECK(message("base = \"earth\"\n").find("earth.toml:1: base = \"earth\": \"earth\" is no preset") == 0);
-    CHECK(message("base = \"earth-rayleigh\"\nremove = [\"ozone\"]\n").find("earth.toml:2: remove = an array: the base has no constituent \"ozone\"") == 0);
+    CHECK(message("base = \"earth-rayleigh\"\nremove = [\"ozone\"]\n")
+              .find("earth.toml:2: remove = an array: the base has no constituent \"ozone\"") == 0);
 }
 
 TEST_CASE("text that no one would write is refused, not crashed on") {
@@ -188,7 +224,10 @@ TEST_CASE("text that no one would write is refused, not crashed on") {
 
 TEST_CASE("a file that starts from a preset says only what differs") {
     const Atmosphere base = *preset("earth-rayleigh");
-    const auto a = parse_atmosphere("base = \"earth-rayleigh\"\nname = \"mine\"\n[ground]\nalbedo = 0.5\n[[constituent]]\nkind = \"air\"\npressure_hpa = 506.625\n[[constituent]]\nkind = \"ozone\"\n", "mine.toml");
+    const auto a = parse_atmosphere(
+        "base = \"earth-rayleigh\"\nname = \"mine\"\n[ground]\nalbedo = 0.5\n[[constituent]]\nkind = \"air\"\npressure_hpa = "
+        "506.625\n[[constituent]]\nkind = \"ozone\"\n",
+        "mine.toml");
     if (!a) FAIL(a.error().message());
     CHECK(a->name == "mine");
     CHECK(a->bottom_radius == base.bottom_radius);
@@ -209,8 +248,11 @@ TEST_CASE("the Rayleigh Earth has the optical depth that Bodhaine tabulates") {
 
 TEST_CASE("an aerosol has the optical depth, the visibility and the turbidity that were asked for") {
     const auto made = [](const std::string& amount) {
-        const std::string text = "base = \"earth-rayleigh\"\n[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1.2 km\" }\n"
-                                 "single_scattering_albedo = 0.9\nphase = { kind = \"henyey_greenstein\", g = 0.7 }\namount = { " + amount + " }\n";
+        const std::string text =
+            "base = \"earth-rayleigh\"\n[[constituent]]\nkind = \"aerosol\"\nprofile = { kind = \"exponential\", scale_height = \"1.2 km\" "
+            "}\n"
+            "single_scattering_albedo = 0.9\nphase = { kind = \"henyey_greenstein\", g = 0.7 }\namount = { " +
+            amount + " }\n";
         auto a = parse_atmosphere(text, "aerosol.toml");
         if (!a) FAIL(a.error().message());
         return *a;

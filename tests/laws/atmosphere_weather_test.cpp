@@ -43,7 +43,8 @@ double depth(const Atmosphere& a, const std::string& name) {
 }
 
 bool decided(const AtmosphereUnderWeather& a, const std::string& text) {
-    return std::any_of(a.decisions.begin(), a.decisions.end(), [&](const std::string& line) { return line.find(text) != std::string::npos; });
+    return std::any_of(a.decisions.begin(), a.decisions.end(),
+                       [&](const std::string& line) { return line.find(text) != std::string::npos; });
 }
 
 // How far a report says that one sees: ln 20, contrast 0.05 [WMO2018, ch. 9], over the extinction at the ground of all that
@@ -62,8 +63,12 @@ TEST_CASE("OPAC's types have the extinction at the ground that OPAC publishes, t
     const struct {
         AerosolType type;
         double per_km;
-    } published[] = {{AerosolType::continental_clean, 0.026}, {AerosolType::continental_average, 0.075}, {AerosolType::continental_polluted, 0.175},
-                     {AerosolType::urban, 0.353},             {AerosolType::desert, 0.145},              {AerosolType::maritime_clean, 0.090}};
+    } published[] = {{AerosolType::continental_clean, 0.026},
+                     {AerosolType::continental_average, 0.075},
+                     {AerosolType::continental_polluted, 0.175},
+                     {AerosolType::urban, 0.353},
+                     {AerosolType::desert, 0.145},
+                     {AerosolType::maritime_clean, 0.090}};
     for (const auto& row : published) {
         CAPTURE(name(row.type));
         // The published figures carry two or three digits, and were computed at other steps and cuts of the sizes.
@@ -72,7 +77,8 @@ TEST_CASE("OPAC's types have the extinction at the ground that OPAC publishes, t
 }
 
 TEST_CASE("a reported visibility is how far one sees, in haze, mist, fog and rain") {
-    for (const char* groups : {"4000 HZ 22/12 Q1013", "4000 BR 12/11 Q1013", "0200 FG 12/12 Q1013", "3000 RA OVC010 12/10 Q1013", "2000 DU 35/02 Q1010", "1 1/2SM HZ 22/12 A2992"}) {
+    for (const char* groups : {"4000 HZ 22/12 Q1013", "4000 BR 12/11 Q1013", "0200 FG 12/12 Q1013", "3000 RA OVC010 12/10 Q1013",
+                               "2000 DU 35/02 Q1010", "1 1/2SM HZ 22/12 A2992"}) {
         CAPTURE(groups);
         const auto a = under(groups);
         const double visibility_m = std::string(groups).find("SM") != std::string::npos ? 1.5 * 1609.344 : std::stod(groups);
@@ -87,14 +93,15 @@ TEST_CASE("the coarser step of the aerosol's sizes costs less than a thousandth 
     const Wavelength wavelengths[] = {460.0 * nm, 550.0 * nm};
     const AerosolOptics fine = *aerosol_optics(AerosolType::desert, 50.0, wavelengths);
     CHECK(std::abs((quick.typical_extinction_550 / extinction(fine, green)).value - 1.0) < 1e-3);
-    CHECK(std::abs(quick.extinction.at(wavelengths[0]).value / (extinction(fine, wavelengths[0]) / extinction(fine, green)).value - 1.0) < 1e-3);
+    CHECK(std::abs(quick.extinction.at(wavelengths[0]).value / (extinction(fine, wavelengths[0]) / extinction(fine, green)).value - 1.0) <
+          1e-3);
     CHECK(std::abs(quick.single_scattering_albedo.at(green).value - single_scattering_albedo(fine, green)) < 1e-3);
     CHECK(std::abs(asymmetry(quick.phase, green) - asymmetry(fine.phase, green)) < 1e-3);
 }
 
 TEST_CASE("a visibility of at least so much keeps the base's aerosol, grown in the humidity, and never closes in below it") {
-    const auto dry = under("CAVOK 22/11 Q1013");    // 50 %
-    const auto moist = under("9999 20/19 Q1013");   // 94 %
+    const auto dry = under("CAVOK 22/11 Q1013");                                                       // 50 %
+    const auto moist = under("9999 20/19 Q1013");                                                      // 94 %
     CHECK(std::abs(depth(dry.atmosphere, "aerosol") / depth(clear_earth(), "aerosol") - 1.0) < 0.05);  // temperatures in whole degrees
     CHECK(depth(moist.atmosphere, "aerosol") > 1.3 * depth(dry.atmosphere, "aerosol"));
     CHECK(optical_range_m(moist.atmosphere) >= 10000.0 * (1.0 - 1e-9));
@@ -120,7 +127,9 @@ TEST_CASE("the weather names the aerosol") {
     CHECK(decided(under("3000 BR 12/12 Q1013"), "relative humidity: 99 %"));
     CHECK(decided(under("3000 BR"), "relative humidity: 95 %"));
     // Dust scatters red as strongly as blue; pollution does not.
-    const auto slope = [](const Atmosphere& a) { return (extinction(*find(a, "aerosol"), 450.0 * nm) / extinction(*find(a, "aerosol"), 650.0 * nm)).value; };
+    const auto slope = [](const Atmosphere& a) {
+        return (extinction(*find(a, "aerosol"), 450.0 * nm) / extinction(*find(a, "aerosol"), 650.0 * nm)).value;
+    };
     CHECK(slope(under("2000 DU 35/02 Q1013").atmosphere) < 1.15);
     CHECK(slope(under("2000 HZ 35/02 Q1013").atmosphere) > 1.4);
 }
@@ -132,7 +141,8 @@ TEST_CASE("fog is a shallow layer of droplets that scatters every colour alike")
     CHECK(droplets->scattering.is_constant());
     CHECK(relative_density(droplets->profile, 1500.0 * m) == 0.0);
     CHECK(find(under("9999 MIFG 08/08 Q1020").atmosphere, "fog") == nullptr);
-    CHECK(find(under("3000 RA OVC010 12/10 Q1013").atmosphere, "precipitation")->profile == DensityProfile(LayerProfile{0.0 * m, 304.8 * m}));
+    CHECK(find(under("3000 RA OVC010 12/10 Q1013").atmosphere, "precipitation")->profile ==
+          DensityProfile(LayerProfile{0.0 * m, 304.8 * m}));
 }
 
 TEST_CASE("clouds are kept beside the description, and a missing report is refused") {

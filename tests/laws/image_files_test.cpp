@@ -109,8 +109,7 @@ TEST_CASE("a folder that cannot be written and a full disk give one error and le
     const Image image = noise(64, 64, 3, 1.0f);
     const ImageMeaning meaning = ImageMeaning::rgb(RgbSpace::srgb);
     const fs::path absent = folder.path / "absent" / "sky";
-    CHECK(
-        write_exr(absent, image, meaning).error().message().starts_with(absent.string() + ": cannot be written: No such file"));
+    CHECK(write_exr(absent, image, meaning).error().message().starts_with(absent.string() + ": cannot be written: No such file"));
     CHECK(write_png(absent, image).error().message().starts_with(absent.string() + ": cannot be written: No such file"));
     if (!fs::exists("/dev/full")) {
         MESSAGE("[skipped] no /dev/full on this system");
@@ -176,8 +175,7 @@ TEST_CASE("a smooth gradient has no bands: over blocks of 16 x 16 pixels the mea
     Image image(512, 256, 3);
     for (int y = 0; y < 256; ++y)
         for (int x = 0; x < 512; ++x)
-            for (float& v : image.pixel(x, y))
-                v = static_cast<float>(srgb_linear((20.0 + x / 64.0 + y / 100.0) / 255.0));  // 11 levels
+            for (float& v : image.pixel(x, y)) v = static_cast<float>(srgb_linear((20.0 + x / 64.0 + y / 100.0) / 255.0));  // 11 levels
     REQUIRE(write_png(folder.path / "sky.png", image));
     const Result<PngLevels> read = read_png(folder.path / "sky.png");
     REQUIRE(read);

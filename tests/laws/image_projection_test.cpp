@@ -16,9 +16,7 @@ const Vec3 east(1, 0, 0), north(0, 1, 0), up(0, 0, 1);
 
 bool near(Vec3 a, Vec3 b, double bound) { return glm::length(a - b) <= bound; }
 bool near(std::optional<Vec3> a, Vec3 b, double bound = 1e-14) { return a && near(*a, b, bound); }
-bool near(std::optional<ImagePoint> a, ImagePoint b, double bound = 1e-9) {
-    return a && std::hypot(a->x - b.x, a->y - b.y) <= bound;
-}
+bool near(std::optional<ImagePoint> a, ImagePoint b, double bound = 1e-9) { return a && std::hypot(a->x - b.x, a->y - b.y) <= bound; }
 
 Projection example(int i) {
     switch (i) {
@@ -144,8 +142,8 @@ TEST_CASE(
     CHECK(std::abs(sky_angles(*direction(equidistant, {50.0, 25.0})).zenith - 45.0 * deg) < 1e-14);
     CHECK(pixel_solid_angle(equal_area, 50, 50) == pixel_solid_angle(equal_area, 80, 30));
     // At zenith 60 degrees the equidistant law gives less sky a pixel than overhead: sin(z) / z.
-    CHECK(std::abs(pixel_solid_angle(equidistant, 50, 16) / pixel_solid_angle(equidistant, 50, 50) -
-                   std::sin(60.3 * deg) / (60.3 * deg)) < 1e-3);
+    CHECK(std::abs(pixel_solid_angle(equidistant, 50, 16) / pixel_solid_angle(equidistant, 50, 50) - std::sin(60.3 * deg) / (60.3 * deg)) <
+          1e-3);
 }
 
 TEST_CASE("a level camera that looks north has east on its right and the sky above") {
@@ -182,6 +180,5 @@ TEST_CASE("a projection that cannot be is refused with the rule") {
     CHECK(complaint(CubeMap{400000000}).starts_with("a cube map with faces of 400000000 pixels"));
     CHECK(complaint(Fisheye{10, 10, Fisheye::Law::equidistant, 361.0 * deg}).starts_with("a fisheye's field of 361 deg"));
     CHECK(complaint(Perspective{10, 10, 0.0, 0.0, 0.0, 180.0 * deg}).starts_with("a vertical field of view of 180 deg"));
-    CHECK(complaint(Perspective{10, 10, std::numeric_limits<double>::quiet_NaN()}) ==
-          "an angle of the projection is not finite");
+    CHECK(complaint(Perspective{10, 10, std::numeric_limits<double>::quiet_NaN()}) == "an angle of the projection is not finite");
 }

@@ -33,12 +33,9 @@ TEST_CASE("tone curves have their published values") {
     CHECK(std::abs(tone(ToneCurve::exponential, 1.0) - 0.6321205588285577) < 1e-15);
     CHECK(tone(ToneCurve::reinhard, 1.0) == 0.5);
     // Hable's published form, f(x) / f(11.2) at f's own argument 2 (an exposure bias of his): here as a ratio of values.
-    const auto published = [](double x) {
-        return (x * (0.15 * x + 0.05) + 0.004) / (x * (0.15 * x + 0.5) + 0.06) - 0.02 / 0.3;
-    };
+    const auto published = [](double x) { return (x * (0.15 * x + 0.05) + 0.004) / (x * (0.15 * x + 0.5) + 0.06) - 0.02 / 0.3; };
     const double bias = 3.9453724810575306;
-    CHECK(std::abs(tone(ToneCurve::filmic, 2.0 / bias) / tone(ToneCurve::filmic, 11.2 / bias) -
-                   published(2.0) / published(11.2)) < 1e-13);
+    CHECK(std::abs(tone(ToneCurve::filmic, 2.0 / bias) / tone(ToneCurve::filmic, 11.2 / bias) - published(2.0) / published(11.2)) < 1e-13);
     CHECK(std::abs(tone(ToneCurve::filmic, 0.18) - 0.18) < 1e-15);
 }
 

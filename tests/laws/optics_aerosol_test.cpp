@@ -36,9 +36,12 @@ TEST_CASE("at 80 % humidity and 550 nm the types of aerosol have the coefficient
         double extinction_per_km, albedo, g;
     };
     // [HessKoepkeSchult1998, table 4]
-    const Printed table[] = {{AerosolType::continental_clean, 0.026, 0.972, 0.709},    {AerosolType::continental_average, 0.075, 0.925, 0.703},
-                             {AerosolType::continental_polluted, 0.175, 0.892, 0.698}, {AerosolType::urban, 0.353, 0.817, 0.689},
-                             {AerosolType::desert, 0.145, 0.888, 0.729},               {AerosolType::maritime_clean, 0.090, 0.997, 0.772},
+    const Printed table[] = {{AerosolType::continental_clean, 0.026, 0.972, 0.709},
+                             {AerosolType::continental_average, 0.075, 0.925, 0.703},
+                             {AerosolType::continental_polluted, 0.175, 0.892, 0.698},
+                             {AerosolType::urban, 0.353, 0.817, 0.689},
+                             {AerosolType::desert, 0.145, 0.888, 0.729},
+                             {AerosolType::maritime_clean, 0.090, 0.997, 0.772},
                              {AerosolType::maritime_polluted, 0.115, 0.975, 0.756}};
     for (const Printed& row : table) {
         CAPTURE(name(row.type));
@@ -96,7 +99,8 @@ TEST_CASE("particles have their tabulated size and index at tabulated humidities
     CHECK(sizes_of(AerosolComponent::sea_salt_coarse, 99.0).radius_max.in(um) == doctest::Approx(100.0).epsilon(1e-14));
     CHECK(refractive_index_of(AerosolComponent::water_soluble, 50.0, 550.0 * nm).n == doctest::Approx(1.437).epsilon(1e-14));
     CHECK(refractive_index_of(AerosolComponent::water_soluble, 50.0, 550.0 * nm).k == doctest::Approx(0.003179).epsilon(1e-14));
-    CHECK(refractive_index_of(AerosolComponent::mineral_coarse, 50.0, 425.0 * nm).k == doctest::Approx(0.5 * (0.013 + 0.0085)).epsilon(1e-14));
+    CHECK(refractive_index_of(AerosolComponent::mineral_coarse, 50.0, 425.0 * nm).k ==
+          doctest::Approx(0.5 * (0.013 + 0.0085)).epsilon(1e-14));
     CHECK(name(AerosolComponent::water_soluble) == "water_soluble");
     CHECK(name(AerosolComponent::sulfate) == "sulfate");
 }

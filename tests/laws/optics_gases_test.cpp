@@ -42,5 +42,5 @@ TEST_CASE("ozone absorbs most of the visible near 600 nm, nitrogen dioxide near 
     CHECK(std::abs(peak(ozone_cross_section(223.0)) - 602.0) < 5.0);  // the Chappuis band
     CHECK(std::abs(peak(nitrogen_dioxide_cross_section(223.0)) - 400.0) < 20.0);
     // 300 Dobson units (2.687e20 molecules a square metre each) take 2.7 % of the light at 550 nm.
-    CHECK(ozone_cross_section(223.0).at(550.0 * nm).in(m2) * 300.0 * 2.687e20 == doctest::Approx(0.0274).epsilon(0.01));
+    CHECK(ozone_cross_section(223.0).at(550.0 * nm).in(m2)*300.0 * 2.687e20 == doctest::Approx(0.0274).epsilon(0.01));
 }

@@ -23,7 +23,7 @@ constexpr double pi = std::numbers::pi;
 
 // From tiny to large, transparent to metallic, below and above the index of what surrounds it.
 const std::initializer_list<Sphere> spheres = {
-    {1e-12, {1.5, 0.1}}, {1e-3, {1.33, 0.0}}, {0.1, {1.5, 1.0}},   {1.0, {0.75, 0.0}},  {3.14159265358979, {1.5, 0.01}},
+    {1e-12, {1.5, 0.1}}, {1e-3, {1.33, 0.0}},   {0.1, {1.5, 1.0}},     {1.0, {0.75, 0.0}},   {3.14159265358979, {1.5, 0.01}},
     {10.0, {1.5, 0.0}},  {100.0, {1.33, 1e-5}}, {100.0, {10.0, 10.0}}, {1000.0, {1.5, 1.0}}, {3000.0, {1.33, 1e-9}},
 };
 
@@ -123,7 +123,8 @@ TEST_CASE("a tiny sphere scatters as Rayleigh says, to the smallest sizes") {
 }
 
 TEST_CASE("extinction paradox: a large sphere takes twice its shadow from the beam") {
-    for (const RefractiveIndex index : {RefractiveIndex{1.33, 0.0}, RefractiveIndex{1.33, 1e-5}, RefractiveIndex{1.5, 1.0}, RefractiveIndex{10.0, 10.0}}) {
+    for (const RefractiveIndex index :
+         {RefractiveIndex{1.33, 0.0}, RefractiveIndex{1.33, 1e-5}, RefractiveIndex{1.5, 1.0}, RefractiveIndex{10.0, 10.0}}) {
         const MieEfficiencies e = mie_efficiencies(1e4, index);
         // The edge adds 2 x^(-2/3) = 0.0043, and transparent spheres ripple by as much. [vandeHulst1957, sec. 17.22]
         CHECK(e.qext == doctest::Approx(2.0 + 1.992 * std::pow(1e4, -2.0 / 3.0)).epsilon(3e-3));

@@ -45,7 +45,8 @@ TEST_CASE("the optical depth follows the pressure, and grows where gravity is we
     const double standard = rayleigh_optical_depth(550.0 * nm);
     CHECK(rayleigh_optical_depth(550.0 * nm, {.pressure_pa = 50662.5}) == doctest::Approx(0.5 * standard).epsilon(1e-14));
     // From equator to pole gravity grows by 0.53 %.
-    const double ratio = rayleigh_optical_depth(550.0 * nm, {.latitude = 0.0}) / rayleigh_optical_depth(550.0 * nm, {.latitude = 90.0 * deg});
+    const double ratio =
+        rayleigh_optical_depth(550.0 * nm, {.latitude = 0.0}) / rayleigh_optical_depth(550.0 * nm, {.latitude = 90.0 * deg});
     CHECK(ratio == doctest::Approx(1.0053).epsilon(1e-4));
     CHECK(rayleigh_optical_depth(550.0 * nm, {.altitude = 3400.0 * m}) > standard);  // the same pressure weighs less higher up
 }
@@ -60,7 +61,8 @@ TEST_CASE("the simple form of graphics is the full one without King's factor, to
         const double n = refractive_index_of_air(w * nm);
         const InverseLength full = rayleigh_cross_section(n, standard_number_density, 1.0, w * nm) * standard_number_density;
         // (n^2 + 2)^2 / 9 = 1 + (4/3)(n - 1) + ..., 4e-4 at most.
-        CHECK((simple_rayleigh_scattering(n, standard_number_density, w * nm) / full).value == doctest::Approx(1.0 + 4.0 / 3.0 * (n - 1.0)).epsilon(1e-7));
+        CHECK((simple_rayleigh_scattering(n, standard_number_density, w * nm) / full).value ==
+              doctest::Approx(1.0 + 4.0 / 3.0 * (n - 1.0)).epsilon(1e-7));
     }
 }
 
@@ -73,7 +75,8 @@ TEST_CASE("for a fixed index the cross-section falls with the fourth power of th
 }
 
 TEST_CASE("King's factor and the depolarisation ratio undo each other") {
-    for (const double rho : {0.0, 0.0279, 0.1, 0.5}) CHECK(depolarisation((6.0 + 3.0 * rho) / (6.0 - 7.0 * rho)) == doctest::Approx(rho).epsilon(1e-13));
+    for (const double rho : {0.0, 0.0279, 0.1, 0.5})
+        CHECK(depolarisation((6.0 + 3.0 * rho) / (6.0 - 7.0 * rho)) == doctest::Approx(rho).epsilon(1e-13));
     // Bates' air at 550 nm: 1.0485, a depolarisation of 0.0283 (the 0.0279 of Young 1980 is within his scatter). [Bodhaine1999, table 2]
     CHECK(king_factor_of_air(550.0 * nm) == doctest::Approx(1.0485).epsilon(2e-4));
     CHECK(depolarisation(king_factor_of_air(550.0 * nm)) == doctest::Approx(0.0279).epsilon(0.03));
@@ -84,7 +87,8 @@ TEST_CASE("the refractive index of dry air is 1.0002778 at 550 nm and grows with
     const double more = (refractive_index_of_air(550.0 * nm, 1e6) - 1.0) / (refractive_index_of_air(550.0 * nm, 0.0) - 1.0);
     // All carbon dioxide: by this law 1.54 times air, which is what the index of the pure gas says within 1 %.
     CHECK(more == doctest::Approx(1.54).epsilon(1e-3));
-    CHECK((refractive_index_of_carbon_dioxide(550.0 * nm) - 1.0) / (refractive_index_of_air(550.0 * nm, 0.0) - 1.0) == doctest::Approx(more).epsilon(0.01));
+    CHECK((refractive_index_of_carbon_dioxide(550.0 * nm) - 1.0) / (refractive_index_of_air(550.0 * nm, 0.0) - 1.0) ==
+          doctest::Approx(more).epsilon(0.01));
 }
 
 TEST_CASE("carbon dioxide has the refractivity of Kaye and Laby's tables and scatters more than twice as much as air") {

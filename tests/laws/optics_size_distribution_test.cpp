@@ -17,7 +17,9 @@ constexpr Wavelength green = 550.0 * nm;
 
 LognormalSizes uncut(Length mode_radius, double sigma) { return {mode_radius, sigma, 1e-12 * m, 1.0 * m}; }
 
-MieAngles angles_of(const std::vector<double>& cosines, const LognormalSizes& sizes) { return MieAngles(cosines, series_terms(sizes, green)); }
+MieAngles angles_of(const std::vector<double>& cosines, const LognormalSizes& sizes) {
+    return MieAngles(cosines, series_terms(sizes, green));
+}
 
 }  // namespace
 
@@ -66,7 +68,8 @@ TEST_CASE("particles small against the wavelength scatter by their mean r^6 and 
     const MeanParticle mean = mean_particle(sizes, {1.75, 0.44}, green, angles_of({1.0}, sizes));
     const double wavenumber = 2.0 * pi / 550e-9;
     // The mean of r^p is r^p exp(p^2 s^2 / 2); corrections of the order of x^2 = 1e-4 at the sizes that scatter most.
-    const double scattering = 8.0 / 3.0 * pi * std::pow(wavenumber, 4) * std::pow(r, 6) * std::exp(18.0 * s * s) * std::norm(polarisability);
+    const double scattering =
+        8.0 / 3.0 * pi * std::pow(wavenumber, 4) * std::pow(r, 6) * std::exp(18.0 * s * s) * std::norm(polarisability);
     const double absorption = -4.0 * pi * wavenumber * std::pow(r, 3) * std::exp(4.5 * s * s) * polarisability.imag();
     CHECK(mean.scattering.in(m2) == doctest::Approx(scattering).epsilon(2e-3));
     CHECK(mean.absorption.in(m2) == doctest::Approx(absorption).epsilon(1e-3));

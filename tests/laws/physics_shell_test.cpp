@@ -65,7 +65,10 @@ TEST_CASE("a ray that does not meet the ground is at the top of the air after it
     for (const Ray& r : random_rays(20000)) {
         if (meets_ground(r.h, r.mu, r.bottom)) continue;
         const Length t = distance_to_top(r.h, r.mu, r.bottom, r.top);
-        CAPTURE(r.h.value); CAPTURE(r.mu.value); CAPTURE(r.bottom.value); CAPTURE(r.top.value);
+        CAPTURE(r.h.value);
+        CAPTURE(r.mu.value);
+        CAPTURE(r.bottom.value);
+        CAPTURE(r.top.value);
         REQUIRE(t >= 0.0 * m);
         // t is off by chain * t, and the altitude changes by at most as much.
         CHECK(abs(altitude_at(r.h, r.mu, t, r.bottom) - r.top) <= chain * (t + r.top));
@@ -76,7 +79,9 @@ TEST_CASE("a ray that meets the ground is on it after its distance to the ground
     for (const Ray& r : random_rays(20000)) {
         if (!meets_ground(r.h, r.mu, r.bottom)) continue;
         const Length t = distance_to_ground(r.h, r.mu, r.bottom);
-        CAPTURE(r.h.value); CAPTURE(r.mu.value); CAPTURE(r.bottom.value);
+        CAPTURE(r.h.value);
+        CAPTURE(r.mu.value);
+        CAPTURE(r.bottom.value);
         REQUIRE(t >= 0.0 * m);
         // p = r mu; p^2 is rounded before it is compared with the horizon's, which moves the end of the ray by p^2 / bottom.
         const Length p = (r.bottom + r.h) * r.mu;
@@ -89,7 +94,10 @@ TEST_CASE("to the top and back along the same ray leads to where it began") {
         if (meets_ground(r.h, r.mu, r.bottom)) continue;
         const Length t = distance_to_top(r.h, r.mu, r.bottom, r.top);
         const Number mu_top = cosine_at(r.h, r.mu, t, r.top, r.bottom);
-        CAPTURE(r.h.value); CAPTURE(r.mu.value); CAPTURE(r.bottom.value); CAPTURE(r.top.value);
+        CAPTURE(r.h.value);
+        CAPTURE(r.mu.value);
+        CAPTURE(r.bottom.value);
+        CAPTURE(r.top.value);
         // From r^2 = r_top^2 + t^2 - 2 r_top t mu_top: an error of mu_top moves r by r_top t / r as much.
         const Length bound = chain * (t * ((r.bottom + r.top) / (r.bottom + r.h)) + t + r.top);
         CHECK(abs(altitude_at(r.top, -mu_top, t, r.bottom) - r.h) <= bound);
@@ -151,7 +159,8 @@ TEST_CASE("on a nearly flat planet no digit is lost") {
     const Exact top = 1e5;
     for (const double mu : {1.0, 0.7, 0.2, 0.01, 1e-4, 0.0})
         for (const double h : {0.0, 1.0, 2000.0, 99000.0}) {
-            CAPTURE(mu); CAPTURE(h);
+            CAPTURE(mu);
+            CAPTURE(h);
             const Exact r = b + h;
             const Exact t = distance_to_top(h * m, mu, 1e11 * m, 1e5 * m).value;
             const Exact t_off = (t * t + 2 * r * mu * t - (top - h) * (2 * b + top + h)) / (2 * r * mu + 2 * t);

@@ -21,10 +21,16 @@ SpectrumOf<InverseLength> rayleigh_like(double at_550) {
 
 Atmosphere hazy_earth() {
     const auto constant = [](double x) { return SpectrumOf<InverseLength>::constant(x * per_m); };
-    Atmosphere atmosphere{.name = "hazy", .bottom_radius = 6360.0 * km, .top_altitude = 100.0 * km, .constituents = {}, .ground_albedo = SpectrumOf<Number>::constant(0.2), .sun = {}};
+    Atmosphere atmosphere{.name = "hazy",
+                          .bottom_radius = 6360.0 * km,
+                          .top_altitude = 100.0 * km,
+                          .constituents = {},
+                          .ground_albedo = SpectrumOf<Number>::constant(0.2),
+                          .sun = {}};
     atmosphere.constituents = {
         {"air", ExponentialProfile{8.0 * km}, rayleigh_like(1.2e-5), constant(0.0), RayleighPhase{}},
-        {"haze", ExponentialProfile{1.2 * km}, constant(1.5e-4), constant(1.5e-5), HenyeyGreensteinPhase{SpectrumOf<Number>::constant(0.76)}},
+        {"haze", ExponentialProfile{1.2 * km}, constant(1.5e-4), constant(1.5e-5),
+         HenyeyGreensteinPhase{SpectrumOf<Number>::constant(0.76)}},
         {"ozone", TriangleProfile{10.0 * km, 25.0 * km, 40.0 * km}, constant(0.0), constant(1.8e-6), IsotropicPhase{}},
     };
     atmosphere.sun.angular_radius = 0.2666 * deg;
@@ -63,7 +69,8 @@ TEST_CASE("what the sky sends down, summed over its directions, is the diffuse i
                 }
             const auto irradiance = hazy_sky().irradiance(altitude * m, sun * deg);
             // The table has 24 suns and 10 altitudes here: its interpolation is what the bound allows for.
-            for (std::size_t w = 0; w < sum.size(); ++w) CHECK(sum[w] == doctest::Approx(irradiance->diffuse_W_m2_nm[w]).epsilon(sun > 90.0 ? 0.15 : 0.03));
+            for (std::size_t w = 0; w < sum.size(); ++w)
+                CHECK(sum[w] == doctest::Approx(irradiance->diffuse_W_m2_nm[w]).epsilon(sun > 90.0 ? 0.15 : 0.03));
         }
 }
 
@@ -81,7 +88,8 @@ TEST_CASE("a dome's radiance is that of single questions") {
                 dome->radiance(z, azimuth, from_dome);
                 // Relative to the direction's own radiance, but for the darkest.
                 for (std::size_t w = 0; w < wavelengths.size(); ++w)
-                    worst = std::max(worst, std::abs(from_dome[w] - exact->radiance_W_m2_sr_nm[w]) / (exact->radiance_W_m2_sr_nm[w] + 1e-6));
+                    worst =
+                        std::max(worst, std::abs(from_dome[w] - exact->radiance_W_m2_sr_nm[w]) / (exact->radiance_W_m2_sr_nm[w] + 1e-6));
             }
             CAPTURE(altitude);
             CAPTURE(sun);
@@ -93,7 +101,8 @@ TEST_CASE("no query of the sky is negative, infinite or not a number") {
     std::mt19937 random(20260102);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     for (int i = 0; i < 20'000; ++i) {
-        const View view{std::pow(10.0, -2.0 + 10.0 * unit(random)) * m, std::acos(2.0 * unit(random) - 1.0), pi * unit(random), 2.0 * pi * unit(random)};
+        const View view{std::pow(10.0, -2.0 + 10.0 * unit(random)) * m, std::acos(2.0 * unit(random) - 1.0), pi * unit(random),
+                        2.0 * pi * unit(random)};
         const auto seen = hazy_sky().radiance(view);
         REQUIRE(seen);
         for (const double radiance : seen->radiance_W_m2_sr_nm) {

@@ -82,8 +82,7 @@ TEST_CASE("a colour survives the way to each RGB space and back") {
 
 TEST_CASE("Bradford's adaptation from D65 to D50 is the published matrix") {
     // Lindbloom, "Chromatic Adaptation" (2017), printed to seven digits for whites printed to five.
-    const double rows[3][3] = {
-        {1.0478112, 0.0228866, -0.0501270}, {0.0295424, 0.9904844, -0.0170491}, {-0.0092345, 0.0150436, 0.7521316}};
+    const double rows[3][3] = {{1.0478112, 0.0228866, -0.0501270}, {0.0295424, 0.9904844, -0.0170491}, {-0.0092345, 0.0150436, 0.7521316}};
     const glm::dmat3 matrix = adaptation(chromaticity({0.95047, 1.0, 1.08883}), chromaticity({0.96422, 1.0, 0.82521}));
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column) CHECK(near(matrix[column][row], rows[row][column], 2e-7));
@@ -113,8 +112,7 @@ TEST_CASE("a colour outside of the gamut keeps its luminance and its hue, and lo
 }
 
 TEST_CASE("a name of a space or a white reads back to it") {
-    for (const RgbSpace space : {RgbSpace::srgb, RgbSpace::rec2020, RgbSpace::acescg})
-        CHECK(rgb_space_named(name_of(space)) == space);
+    for (const RgbSpace space : {RgbSpace::srgb, RgbSpace::rec2020, RgbSpace::acescg}) CHECK(rgb_space_named(name_of(space)) == space);
     for (const WhitePoint white : {WhitePoint::d65, WhitePoint::d60, WhitePoint::e, WhitePoint::sun})
         CHECK(white_point_named(name_of(white)) == white);
     CHECK(!rgb_space_named("xyz"));
@@ -161,13 +159,12 @@ namespace {
 
 // Ozone's absorption cross-section at 223 K, means over 5 nm from 360 to 830 nm, in 1e-26 m2 (Bogumil et al. 2003).
 constexpr double ozone[95] = {
-    0.2504, 0.06165, 0.03791, 0.02716, 0.02858, 0.03876, 0.05669, 0.09189, 0.1122, 0.1548, 0.2557, 0.2906, 0.3922, 0.663,
-    0.6866, 0.8798,  1.379,   1.63,    1.838,   2.166,   3.663,   3.632,   4.071,  4.738,  7.54,   8.098,  8.119,  9.067,
-    12.16,  16.13,   15.82,   16.7,    18.48,   22.01,   26.72,   28.7,    29.53,  32.17,  33.94,  35.95,  39.93,  44.27,
-    47.27,  48.71,   47.01,   45.22,   45.29,   48.28,   52.25,   52.3,    48.61,  44.41,  41.22,  38.78,  36.15,  33.36,
-    30.3,   27.6,    25.37,   23.32,   21.32,   19.38,   17.24,   15.33,   13.77,  12.67,  11.25,  9.793,  8.57,   7.747,
-    7.209,  6.944,   6.198,   5.331,   4.682,   4.334,   4.26,    4.484,   4.302,  3.326,  2.776,  2.553,  2.568,  2.977,
-    3.302,  2.662,   2.076,   1.705,   1.531,   1.522,   1.864,   2.29,    2.147,  1.452,  0.9593};
+    0.2504, 0.06165, 0.03791, 0.02716, 0.02858, 0.03876, 0.05669, 0.09189, 0.1122, 0.1548, 0.2557, 0.2906, 0.3922, 0.663, 0.6866, 0.8798,
+    1.379,  1.63,    1.838,   2.166,   3.663,   3.632,   4.071,   4.738,   7.54,   8.098,  8.119,  9.067,  12.16,  16.13, 15.82,  16.7,
+    18.48,  22.01,   26.72,   28.7,    29.53,   32.17,   33.94,   35.95,   39.93,  44.27,  47.27,  48.71,  47.01,  45.22, 45.29,  48.28,
+    52.25,  52.3,    48.61,   44.41,   41.22,   38.78,   36.15,   33.36,   30.3,   27.6,   25.37,  23.32,  21.32,  19.38, 17.24,  15.33,
+    13.77,  12.67,   11.25,   9.793,   8.57,    7.747,   7.209,   6.944,   6.198,  5.331,  4.682,  4.334,  4.26,   4.484, 4.302,  3.326,
+    2.776,  2.553,   2.568,   2.977,   3.302,   2.662,   2.076,   1.705,   1.531,  1.522,  1.864,  2.29,   2.147,  1.452, 0.9593};
 
 // What air does to sunlight: how much of it is scattered towards the eye, and what is left of that on the way.
 struct Light {
@@ -182,10 +179,8 @@ struct Light {
             const double w = 360.0 + 5.0 * i;
             const double depth = air_mass * (0.0971 * std::pow(550.0 / w, 4.08) + 0.1 * std::pow(550.0 / w, 1.3)) +
                                  ozone * 300 * 2.687e20 * 1e-26 * ::ozone[i];
-            const double reflected =
-                0.03 + 0.08 * std::exp(-std::pow((w - 550.0) / 30.0, 2)) + 0.45 / (1.0 + std::exp((718.0 - w) / 10.0));
-            samples.push_back(
-                {w * nm, (leaves ? reflected : std::pow(550.0 / w, scattered)) * std::exp(-depth) * sun.at(w * nm)});
+            const double reflected = 0.03 + 0.08 * std::exp(-std::pow((w - 550.0) / 30.0, 2)) + 0.45 / (1.0 + std::exp((718.0 - w) / 10.0));
+            samples.push_back({w * nm, (leaves ? reflected : std::pow(550.0 / w, scattered)) * std::exp(-depth) * sun.at(w * nm)});
         }
         return *SpectrumOf<SpectralIrradiance>::of(std::move(samples));
     }
@@ -209,8 +204,7 @@ ColourError worst_error(const WavelengthGrid& grid, bool leaves = false) {
                 for (const Wavelength w : grid) samples.push_back(light.at(w).value);
                 const Xyz exact = to_xyz(light), found = weights.to_xyz(std::span<const double>(samples));
                 worst.luminance = std::max(worst.luminance, std::abs(found.y / exact.y - 1.0));
-                worst.chromaticity =
-                    std::max(worst.chromaticity, distance(uniform_chromaticity(found), uniform_chromaticity(exact)));
+                worst.chromaticity = std::max(worst.chromaticity, distance(uniform_chromaticity(found), uniform_chromaticity(exact)));
             }
     return worst;
 }

@@ -27,8 +27,7 @@ TEST_CASE("a uniform grid has its ends exactly and equal steps") {
 }
 
 TEST_CASE("a grid's text reads back to the same grid") {
-    for (const char* text :
-         {"360:830:16", "450,550,650", "standard", "550", "380,780", "300.5,301,302.25", "333.3:777.7:4096"}) {
+    for (const char* text : {"360:830:16", "450,550,650", "standard", "550", "380,780", "300.5,301,302.25", "333.3:777.7:4096"}) {
         CAPTURE(text);
         const Result<WavelengthGrid> grid = parse_wavelength_grid(text);
         REQUIRE(grid);

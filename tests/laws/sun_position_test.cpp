@@ -160,8 +160,7 @@ TEST_CASE("refraction lifts, keeps the order of the sky, vanishes in the zenith 
         if (zenith > 75.0 || zenith < 1.0) continue;
         const double t = std::tan(seen * deg);
         const double lift_arcmin = (refa * t + refb * t * t * t) / deg * 60.0;
-        CHECK(std::abs((zenith - seen) * 60.0 - lift_arcmin) <
-              0.1 + 0.07);  // his bound to Bennett's formula, and Bennett's to Garfinkel's
+        CHECK(std::abs((zenith - seen) * 60.0 - lift_arcmin) < 0.1 + 0.07);  // his bound to Bennett's formula, and Bennett's to Garfinkel's
     }
     CHECK(refracted_zenith(60.0 * deg, {0.0, 7.0}) == 60.0 * deg);
     // The standard horizontal refraction, 34 arcmin, at the apparent horizon.
@@ -169,9 +168,7 @@ TEST_CASE("refraction lifts, keeps the order of the sky, vanishes in the zenith 
 }
 
 TEST_CASE("a place or an air that cannot be is refused with its range") {
-    CHECK(
-        place_of({95.0 * deg, 0.0, 0.0 * m}).error().message().find("latitude: 95 deg is out of range: it must be -90 to 90") ==
-        0);
+    CHECK(place_of({95.0 * deg, 0.0, 0.0 * m}).error().message().find("latitude: 95 deg is out of range: it must be -90 to 90") == 0);
     CHECK(place_of({0.0, 181.0 * deg, 0.0 * m}).error().where == "longitude");
     CHECK(place_of({0.0, 0.0, 2000.0 * km}).error().where == "altitude");
     CHECK(!place_of({std::nan(""), 0.0, 0.0 * m}));

@@ -29,9 +29,10 @@ Atmosphere earth(double radius_m = 6.36e6) {
     a.name = "Earth";
     a.bottom_radius = radius_m * m;
     a.top_altitude = 100.0 * km;
-    a.constituents = {constituent("air", ExponentialProfile{8.0 * km}, 1.2e-5, 0.0, RayleighPhase{}),
-                      constituent("aerosol", ExponentialProfile{1.2 * km}, 4.5e-5, 5e-6, HenyeyGreensteinPhase{SpectrumOf<Number>::constant(0.76)}),
-                      constituent("ozone", TriangleProfile{10.0 * km, 25.0 * km, 40.0 * km}, 0.0, 2e-6, IsotropicPhase{})};
+    a.constituents = {
+        constituent("air", ExponentialProfile{8.0 * km}, 1.2e-5, 0.0, RayleighPhase{}),
+        constituent("aerosol", ExponentialProfile{1.2 * km}, 4.5e-5, 5e-6, HenyeyGreensteinPhase{SpectrumOf<Number>::constant(0.76)}),
+        constituent("ozone", TriangleProfile{10.0 * km, 25.0 * km, 40.0 * km}, 0.0, 2e-6, IsotropicPhase{})};
     a.ground_albedo = SpectrumOf<Number>::constant(0.1);
     return a;
 }
@@ -83,7 +84,10 @@ std::vector<Planet> planets() {
     std::vector<Curve<Length, Number>::Sample> samples;
     for (int i = 0; i <= 40; ++i) samples.push_back({i * 1.5 * km, std::exp(-i * 1.5 / (7.0 + 2.0 * std::sin(i)))});
     const DensityProfile tabulated = TabulatedProfile{*Curve<Length, Number>::of(samples)};
-    return {{"Earth", 6.36e6, 1e5, {ExponentialProfile{8.0 * km}, ExponentialProfile{1.2 * km}, TriangleProfile{10.0 * km, 25.0 * km, 40.0 * km}}},
+    return {{"Earth",
+             6.36e6,
+             1e5,
+             {ExponentialProfile{8.0 * km}, ExponentialProfile{1.2 * km}, TriangleProfile{10.0 * km, 25.0 * km, 40.0 * km}}},
             {"flat", 1e11, 1e5, {ExponentialProfile{8.0 * km}, ExponentialProfile{1.2 * km}, LayerProfile{0.0 * km, 100.0 * km}}},
             {"layers", 6.36e6, 1e5, {LayerProfile{5.0 * km, 6.0 * km}, tabulated, ExponentialProfile{50.0 * m, 2.0 * km}}},
             {"small", 1e5, 5e4, {ExponentialProfile{8.0 * km}, LayerProfile{1.0 * km, 30.0 * km}}},
@@ -102,7 +106,8 @@ TEST_CASE("columns give transmittances that agree with adaptive quadrature, on p
         for (int i = 0; i < 1500; ++i) {
             const double h = planet.top * std::pow(uniform(random), i % 2 ? 1.0 : 4.0);
             // Half of the rays run close to the horizon of their own altitude.
-            const double mu = i % 3 == 0 ? std::cos(pi * uniform(random)) : std::copysign(std::pow(uniform(random), 6.0), uniform(random) - 0.5);
+            const double mu =
+                i % 3 == 0 ? std::cos(pi * uniform(random)) : std::copysign(std::pow(uniform(random), 6.0), uniform(random) - 0.5);
             const Columns::Ray ray = columns.ray(h, mu);
             const double t = ray.length * uniform(random);
             const Columns::Stop stop = columns.at_distance(ray, t);
@@ -156,7 +161,8 @@ TEST_CASE("drawn scattering angles follow the phase function (chi-square over eq
     std::array<Wavelength, pack_size> wavelengths;
     for (std::size_t i = 0; i < pack_size; ++i) wavelengths[i] = (400.0 + 20.0 * static_cast<double>(i)) * nm;
     const auto g = *SpectrumOf<Number>::of({{400.0 * nm, 0.5}, {700.0 * nm, 0.9}});
-    for (const PhaseFunction& law : std::vector<PhaseFunction>{IsotropicPhase{}, RayleighPhase{}, HenyeyGreensteinPhase{g}, CornetteShanksPhase{g}}) {
+    for (const PhaseFunction& law :
+         std::vector<PhaseFunction>{IsotropicPhase{}, RayleighPhase{}, HenyeyGreensteinPhase{g}, CornetteShanksPhase{g}}) {
         const SpectralPhase phase(law, wavelengths);
         const DirectionSampler sampler(phase);
         for (const int lane : {0, 15}) {
@@ -165,9 +171,11 @@ TEST_CASE("drawn scattering angles follow the phase function (chi-square over eq
             const GaussRule rule = gauss_rule(64);
             for (int k = 0; k < cells; ++k) {
                 // Cells are even in the root of the angle.
-                const double high = std::cos(pi * std::pow(k / double(cells), 2)), low = std::cos(pi * std::pow((k + 1) / double(cells), 2));
+                const double high = std::cos(pi * std::pow(k / double(cells), 2)),
+                             low = std::cos(pi * std::pow((k + 1) / double(cells), 2));
                 for (std::size_t i = 0; i < rule.nodes.size(); ++i)
-                    expected[static_cast<std::size_t>(k)] += draws * 2.0 * pi * 0.5 * (high - low) * rule.weights[i] * phase.at(low + 0.5 * (high - low) * (1.0 + rule.nodes[i])).v[lane];
+                    expected[static_cast<std::size_t>(k)] += draws * 2.0 * pi * 0.5 * (high - low) * rule.weights[i] *
+                                                             phase.at(low + 0.5 * (high - low) * (1.0 + rule.nodes[i])).v[lane];
             }
             Random random(5, static_cast<std::uint64_t>(lane));
             for (int i = 0; i < draws; ++i) {
@@ -196,7 +204,8 @@ TEST_CASE("Beer-Lambert: the transmittance over two legs is the product of the l
             const double r_t = std::sqrt(r * r + 2.0 * r * std::cos(zenith) * t + t * t);
             if (r_t <= 6.36e6 || r_t >= 6.46e6 || (altitude == 0.0 && zenith > 1.57)) continue;
             const double first = reference.transmittance(altitude * m, zenith, t * m)[0];
-            const double second = reference.transmittance((r_t - 6.36e6) * m, std::acos((r * std::cos(zenith) + t) / r_t), (2e5 - t) * m)[0];
+            const double second =
+                reference.transmittance((r_t - 6.36e6) * m, std::acos((r * std::cos(zenith) + t) / r_t), (2e5 - t) * m)[0];
             // Each is exact to 1e-6 or so.
             CHECK(first * second == doctest::Approx(whole).epsilon(1e-5));
         }
@@ -238,7 +247,8 @@ TEST_CASE("single scattering is its integral along the view, at any depth") {
     a.constituents = {constituent("slab", LayerProfile{0.0 * m, 10.0 * km}, 1.6e-4, 0.4e-4, IsotropicPhase{})};
     const Reference reference = *Reference::of(a, one_wavelength);
     const double mu = 0.6, mu_s = 0.5, tau = 2.0;
-    const RadianceEstimate estimate = *reference.radiance({10.0 * km, pi - std::acos(mu), std::acos(mu_s), 0.0}, {.paths = 65536, .last_order = 1});
+    const RadianceEstimate estimate =
+        *reference.radiance({10.0 * km, pi - std::acos(mu), std::acos(mu_s), 0.0}, {.paths = 65536, .last_order = 1});
     const double exact = 0.8 / (4.0 * pi) * mu_s / (mu + mu_s) * (1.0 - std::exp(-tau * (1.0 / mu + 1.0 / mu_s)));
     CHECK(std::abs(estimate.radiance_W_m2_sr_nm[0] - exact) < 4.0 * estimate.standard_error[0] + 1e-5 * exact);
     CHECK(estimate.standard_error[0] < 1e-3 * exact);
@@ -249,7 +259,8 @@ TEST_CASE("orders of scattering add up to the whole") {
     const View view{1.0 * km, 1.2, 1.0, 0.5};
     double sum = 0.0, variance = 0.0;
     for (int order = 1; order <= 12; ++order) {
-        const RadianceEstimate part = *reference.radiance(view, {.paths = 16384, .seed = 100u + static_cast<std::uint64_t>(order), .first_order = order, .last_order = order});
+        const RadianceEstimate part = *reference.radiance(
+            view, {.paths = 16384, .seed = 100u + static_cast<std::uint64_t>(order), .first_order = order, .last_order = order});
         sum += part.radiance_W_m2_sr_nm[0];
         variance += part.standard_error[0] * part.standard_error[0];
     }
@@ -273,10 +284,12 @@ std::pair<double, double> mean_over_paths(std::size_t groups, const std::functio
 
 TEST_CASE("a conservative flat atmosphere over a white ground returns all the light it receives") {
     Atmosphere a = earth(1e11);
-    a.constituents[1] = constituent("aerosol", ExponentialProfile{1.2 * km}, 2e-4, 0.0, HenyeyGreensteinPhase{SpectrumOf<Number>::constant(0.8)});
+    a.constituents[1] =
+        constituent("aerosol", ExponentialProfile{1.2 * km}, 2e-4, 0.0, HenyeyGreensteinPhase{SpectrumOf<Number>::constant(0.8)});
     a.constituents.pop_back();
     a.ground_albedo = SpectrumOf<Number>::constant(1.0);
-    const PathTracer tracer(air_optics(a, one_wavelength), std::make_shared<const Columns>(path_densities(a), f64::Length::of(1e11), f64::Length::of(1e5)));
+    const PathTracer tracer(air_optics(a, one_wavelength),
+                            std::make_shared<const Columns>(path_densities(a), f64::Length::of(1e11), f64::Length::of(1e5)));
     const Vec3 up(0.0, 0.0, 1.0), sun(0.6, 0.0, 0.8);
     const auto [mean, error] = mean_over_paths(1500, [&](double u, Random& random) {
         // What leaves the top: pi times the mean over directions drawn by their cosine.
@@ -290,11 +303,13 @@ TEST_CASE("a conservative flat atmosphere over a white ground returns all the li
 
 TEST_CASE("a conservative planet with a white ground scatters all the light that it takes from the sun's beam") {
     Atmosphere a = earth(2e5);  // a small planet, half of it air: rays that skim it matter
-    a.constituents[1] = constituent("aerosol", ExponentialProfile{6.0 * km}, 4e-5, 0.0, HenyeyGreensteinPhase{SpectrumOf<Number>::constant(0.6)});
+    a.constituents[1] =
+        constituent("aerosol", ExponentialProfile{6.0 * km}, 4e-5, 0.0, HenyeyGreensteinPhase{SpectrumOf<Number>::constant(0.6)});
     a.constituents.pop_back();
     a.ground_albedo = SpectrumOf<Number>::constant(1.0);
     const double bottom = 2e5, top = 1e5, radius = bottom + top;
-    const PathTracer tracer(air_optics(a, one_wavelength), std::make_shared<const Columns>(path_densities(a), f64::Length::of(bottom), f64::Length::of(top)));
+    const PathTracer tracer(air_optics(a, one_wavelength),
+                            std::make_shared<const Columns>(path_densities(a), f64::Length::of(bottom), f64::Length::of(top)));
     // The beam loses 1 - T over its cross-section; what meets the ground is returned too.
     const GaussRule rule = gauss_rule(400, 0.0, 1.0);
     double taken = pi * bottom * bottom;
@@ -348,17 +363,20 @@ TEST_CASE("the same seed gives the same bits on any number of threads") {
 TEST_CASE("an irradiance is the sky's radiance over the hemisphere, by cosine; the direct part is the beam's") {
     const Reference reference = *Reference::of(earth(), one_wavelength);
     const IrradianceEstimate irradiance = *reference.irradiance(0.0 * m, 0.7, {.paths = 65536});
-    CHECK(irradiance.direct_W_m2_nm[0] == doctest::Approx(std::cos(0.7) * reference.transmittance(0.0 * m, 0.7, 1e6 * m)[0]).epsilon(1e-12));
+    CHECK(irradiance.direct_W_m2_nm[0] ==
+          doctest::Approx(std::cos(0.7) * reference.transmittance(0.0 * m, 0.7, 1e6 * m)[0]).epsilon(1e-12));
     // Gauss in cosine^2 and the trapezoid in azimuth; the aureole is coarse on this grid, so half a percent and four standard errors.
     const GaussRule rule = gauss_rule(12, 0.0, 1.0);
     double sum = 0.0, variance = 0.0;
     for (std::size_t i = 0; i < rule.nodes.size(); ++i)
         for (int k = 0; k < 16; ++k) {
-            const RadianceEstimate sky = *reference.radiance({0.0 * m, std::acos(std::sqrt(rule.nodes[i])), 0.7, pi * (k + 0.5) / 16.0}, {.paths = 512, .seed = i * 16 + static_cast<std::size_t>(k)});
+            const RadianceEstimate sky = *reference.radiance({0.0 * m, std::acos(std::sqrt(rule.nodes[i])), 0.7, pi * (k + 0.5) / 16.0},
+                                                             {.paths = 512, .seed = i * 16 + static_cast<std::size_t>(k)});
             sum += pi * rule.weights[i] / 16.0 * sky.radiance_W_m2_sr_nm[0];
             variance += std::pow(pi * rule.weights[i] / 16.0 * sky.standard_error[0], 2);
         }
-    CHECK(std::abs(sum - irradiance.diffuse_W_m2_nm[0]) < 4.0 * std::hypot(std::sqrt(variance), irradiance.standard_error[0]) + 0.005 * sum);
+    CHECK(std::abs(sum - irradiance.diffuse_W_m2_nm[0]) <
+          4.0 * std::hypot(std::sqrt(variance), irradiance.standard_error[0]) + 0.005 * sum);
 }
 
 TEST_CASE("a sun of half a degree lights the sky as a point does, and its edge is darker where the limb is") {
@@ -369,7 +387,8 @@ TEST_CASE("a sun of half a degree lights the sky as a point does, and its edge i
     a.sun.limb_darkening_1 = SpectrumOf<Number>::constant(0.5);
     a.sun.limb_darkening_2 = SpectrumOf<Number>::constant(0.2);
     const RadianceEstimate disk = *Reference::of(a, one_wavelength)->radiance(view, {.paths = 65536, .seed = 8});
-    CHECK(std::abs(point.radiance_W_m2_sr_nm[0] - disk.radiance_W_m2_sr_nm[0]) < 4.0 * std::hypot(point.standard_error[0], disk.standard_error[0]));
+    CHECK(std::abs(point.radiance_W_m2_sr_nm[0] - disk.radiance_W_m2_sr_nm[0]) <
+          4.0 * std::hypot(point.standard_error[0], disk.standard_error[0]));
     std::array<Wavelength, pack_size> wavelengths;
     wavelengths.fill(550.0 * nm);
     const SunSampler sampler(a.sun, wavelengths);
@@ -385,7 +404,9 @@ TEST_CASE("no query of the whole domain gives a NaN, an infinity or a negative r
     for (const double radius : {1e5, 6.36e6, 7e7, 1e11}) {
         const Reference reference = *Reference::of(earth(radius), one_wavelength);
         for (int i = 0; i < 1500; ++i) {
-            const double altitude = i % 4 == 0 ? 0.0 : i % 4 == 1 ? 1e5 : 1e5 * std::pow(uniform(random), 3.0) * (i % 4 == 2 ? 1000.0 : 1.0);
+            const double altitude = i % 4 == 0   ? 0.0
+                                    : i % 4 == 1 ? 1e5
+                                                 : 1e5 * std::pow(uniform(random), 3.0) * (i % 4 == 2 ? 1000.0 : 1.0);
             const View view{altitude * m, pi * uniform(random), pi * uniform(random), 2.0 * pi * uniform(random)};
             const RadianceEstimate estimate = *reference.radiance(view, {.paths = 128, .seed = static_cast<std::uint64_t>(i)});
             const double x = estimate.radiance_W_m2_sr_nm[0], e = estimate.standard_error[0];
@@ -420,6 +441,7 @@ TEST_CASE("an eye below the ground, no wavelength, or no path is an error that s
 TEST_CASE("vectors and angles name the same query") {
     const Reference reference = *Reference::of(earth(), one_wavelength);
     const RadianceEstimate angles = *reference.radiance({2.0 * km, 0.9, 0.4, 0.0}, {.paths = 4096});
-    const RadianceEstimate vectors = *reference.radiance(Vec3(0.0, 0.0, 6.362e6), Vec3(std::sin(0.9), 0.0, std::cos(0.9)), Vec3(std::sin(0.4), 0.0, std::cos(0.4)), {.paths = 4096});
+    const RadianceEstimate vectors = *reference.radiance(Vec3(0.0, 0.0, 6.362e6), Vec3(std::sin(0.9), 0.0, std::cos(0.9)),
+                                                         Vec3(std::sin(0.4), 0.0, std::cos(0.4)), {.paths = 4096});
     CHECK(vectors.radiance_W_m2_sr_nm[0] == doctest::Approx(angles.radiance_W_m2_sr_nm[0]).epsilon(1e-6));
 }

@@ -20,7 +20,8 @@ namespace {
 struct Caching {
     TemporaryFolder folder;
     std::vector<std::string> warnings;
-    CacheSettings settings{.folder = folder.path / "cache", .enabled = true, .warn = [this](const Error& e) { warnings.push_back(e.message()); }};
+    CacheSettings settings{
+        .folder = folder.path / "cache", .enabled = true, .warn = [this](const Error& e) { warnings.push_back(e.message()); }};
     std::vector<Wavelength> wavelengths = some_wavelengths(18);
     BakeSettings bake = tiny_bake(4);
 
@@ -105,8 +106,9 @@ TEST_CASE("a damaged or foreign file in the cache is told of, baked again and re
     struct Case {
         std::string bytes, words;
     };
-    for (const Case& c : {Case{damaged, "is damaged: checksum of section transmittance"}, Case{good.substr(0, 1000), "is truncated: 1000 of "},
-                          Case{"not at all", "is not a table file"}, Case{*read_file(files[1]), "belongs to another"}}) {
+    for (const Case& c :
+         {Case{damaged, "is damaged: checksum of section transmittance"}, Case{good.substr(0, 1000), "is truncated: 1000 of "},
+          Case{"not at all", "is not a table file"}, Case{*read_file(files[1]), "belongs to another"}}) {
         CAPTURE(c.words);
         cache.warnings.clear();
         REQUIRE(write_file(files[0], c.bytes));
@@ -214,8 +216,8 @@ TEST_CASE("table sizes read back, and wrong ones are refused") {
     const TableSizes sizes{8, 9, 2, 3, 4, 5};
     CHECK(table_sizes_text(sizes) == "2x3x4x5,8x9");
     CHECK(*parse_table_sizes(table_sizes_text(sizes)) == sizes);
-    for (const char* wrong : {"", "x", "2x3x4", "2x3x4x5x6", "2x3x4x5,", "2x3x4x5,8", "2x3x4x5,8x9,1", "2x3x4x5 ", "ax3x4x5", "2x3x4x99999999999", "1x3x4x5", "-2x3x4x5",
-                              "2x3x4x5000", "4096x4096x4096x4096", "2x3x4x5,1x9"}) {
+    for (const char* wrong : {"", "x", "2x3x4", "2x3x4x5x6", "2x3x4x5,", "2x3x4x5,8", "2x3x4x5,8x9,1", "2x3x4x5 ", "ax3x4x5",
+                              "2x3x4x99999999999", "1x3x4x5", "-2x3x4x5", "2x3x4x5000", "4096x4096x4096x4096", "2x3x4x5,1x9"}) {
         CAPTURE(wrong);
         CHECK(!parse_table_sizes(wrong));
     }

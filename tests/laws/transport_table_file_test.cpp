@@ -107,7 +107,9 @@ TEST_CASE("a change of any one field of the description, of the wavelengths or o
         [](Described& d) { grow(profile<TriangleProfile>(d, 2).peak); },
         [](Described& d) { grow(profile<TriangleProfile>(d, 2).high); },
         [](Described& d) { profile<TabulatedProfile>(d, 3).densities = profile<TabulatedProfile>(d, 3).densities.scaled(0.9); },
-        [](Described& d) { d.atmosphere.constituents[1].profile = TriangleProfile{1.0 * km, 2.0 * km, 2.0 * km}; },
+        [](Described& d) {
+            d.atmosphere.constituents[1].profile = TriangleProfile{1.0 * km, 2.0 * km, 2.0 * km};
+        },
         [](Described& d) { phase<RayleighPhase>(d, 0).depolarisation = 0.03; },
         [](Described& d) { phase<HenyeyGreensteinPhase>(d, 1).g = SpectrumOf<Number>::constant(0.3); },
         [](Described& d) { phase<CornetteShanksPhase>(d, 2).g = SpectrumOf<Number>::constant(0.3); },
@@ -266,7 +268,8 @@ TEST_CASE("a value that no light has is refused, on the way in and on the way ou
         set_field(changed, offset + 4 * sizeof(float), wrong);
         CHECK(says(sample.refusal(changed), "is damaged: checksum of section source of pack 0"));
         seal(changed);
-        CHECK(says(sample.refusal(changed), fmt::format("is damaged: in section source of pack 0, value 5 is {}; it must be finite and not below 0", wrong)));
+        CHECK(says(sample.refusal(changed),
+                   fmt::format("is damaged: in section source of pack 0, value 5 is {}; it must be finite and not below 0", wrong)));
 
         sample.tables.irradiance.cells()[0].v[1] = wrong;
         const auto written = write_tables(sample.path, sample.origin, std::span(&sample.tables, 1));
@@ -284,7 +287,8 @@ TEST_CASE("a full disk or a missing folder is one message; what stood there stay
     CHECK(*read_file(sample.path) == sample.bytes);
     CHECK(!std::filesystem::is_symlink(temporary_name(sample.path)));
 
-    CHECK(says(write_tables(sample.folder.path / "none" / "a", sample.origin, std::span(&sample.tables, 1)).error().message(), "cannot be written: No such file"));
+    CHECK(says(write_tables(sample.folder.path / "none" / "a", sample.origin, std::span(&sample.tables, 1)).error().message(),
+               "cannot be written: No such file"));
 }
 
 TEST_CASE("tables of the default size are read in less than a second") {
@@ -292,7 +296,8 @@ TEST_CASE("tables of the default size are read in less than a second") {
     const TableOrigin origin = table_origin(one_gas(), some_wavelengths(16), BakeSettings{});
     const TableSizes s = origin.settings.sizes;
     const PackTables tables{Table<f32::Spectrum, 2>({s.transmittance_mu, s.transmittance_altitude}),
-                            Table<f32::RadianceSpectrum, 4>({s.sun, s.azimuth, s.view, s.altitude}), Table<f32::IrradianceSpectrum, 2>({s.sun, s.altitude})};
+                            Table<f32::RadianceSpectrum, 4>({s.sun, s.azimuth, s.view, s.altitude}),
+                            Table<f32::IrradianceSpectrum, 2>({s.sun, s.altitude})};
     REQUIRE(write_tables(folder.path / "a", origin, std::span(&tables, 1)));
     const auto start = std::chrono::steady_clock::now();
     REQUIRE(read_tables(folder.path / "a", origin));

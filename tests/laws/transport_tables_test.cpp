@@ -18,7 +18,8 @@ namespace {
 constexpr Shell earth{6'360'000.0, 100'000.0};
 
 DensityTable earth_densities() {
-    const DensityProfile profiles[] = {ExponentialProfile{8.0 * km}, ExponentialProfile{1.2 * km}, TriangleProfile{10.0 * km, 25.0 * km, 40.0 * km}};
+    const DensityProfile profiles[] = {ExponentialProfile{8.0 * km}, ExponentialProfile{1.2 * km},
+                                       TriangleProfile{10.0 * km, 25.0 * km, 40.0 * km}};
     return DensityTable(profiles, 100.0 * km);
 }
 
@@ -36,7 +37,12 @@ double column_by_many_steps(const Ray& ray, double scale_height, double length) 
 }
 
 Atmosphere small_earth(double scattering_per_m) {
-    Atmosphere atmosphere{.name = "one gas", .bottom_radius = 6360.0 * km, .top_altitude = 100.0 * km, .constituents = {}, .ground_albedo = SpectrumOf<Number>::constant(0.0), .sun = {}};
+    Atmosphere atmosphere{.name = "one gas",
+                          .bottom_radius = 6360.0 * km,
+                          .top_altitude = 100.0 * km,
+                          .constituents = {},
+                          .ground_albedo = SpectrumOf<Number>::constant(0.0),
+                          .sun = {}};
     atmosphere.constituents.push_back({"air", ExponentialProfile{8.0 * km}, SpectrumOf<InverseLength>::constant(scattering_per_m * per_m),
                                        SpectrumOf<InverseLength>::constant(0.0 * per_m), RayleighPhase{}});
     return atmosphere;
@@ -62,7 +68,8 @@ TEST_CASE("spherical harmonics are orthonormal") {
                 double sum = 0.0;
                 for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
                     const std::vector<float> values = legendre_values(layout, rule.nodes[i]);
-                    sum += rule.weights[i] * values[static_cast<std::size_t>(layout.index(l, k))] * values[static_cast<std::size_t>(layout.index(other, k))];
+                    sum += rule.weights[i] * values[static_cast<std::size_t>(layout.index(l, k))] *
+                           values[static_cast<std::size_t>(layout.index(other, k))];
                 }
                 sum *= k == 0 ? 2.0 * pi : pi;  // the integral of cos^2(k phi)
                 CHECK(sum == doctest::Approx(l == other ? 1.0 : 0.0).epsilon(1e-5));
@@ -75,13 +82,15 @@ TEST_CASE("the columns of a ray are the integrals of the density, from the zenit
         double altitude, mu;
     };
     RayNodes nodes;
-    for (const Case c : {Case{0.0, 1.0}, Case{0.0, 0.2}, Case{0.0, 0.0}, Case{2000.0, -0.02}, Case{10'000.0, -0.05}, Case{10'000.0, -0.5}, Case{100'000.0, -0.17}, Case{100'000.0, -1.0}}) {
+    for (const Case c : {Case{0.0, 1.0}, Case{0.0, 0.2}, Case{0.0, 0.0}, Case{2000.0, -0.02}, Case{10'000.0, -0.05}, Case{10'000.0, -0.5},
+                         Case{100'000.0, -0.17}, Case{100'000.0, -1.0}}) {
         CAPTURE(c.altitude);
         CAPTURE(c.mu);
         const Ray ray{c.altitude, c.mu, 0.5, 0.5};
         sample_ray(earth, ray, densities, {5e-5f, 0.0f}, 16, nodes);
         const f64::Length h = f64::Length::of(c.altitude), bottom = f64::Length::of(earth.bottom_m), top = f64::Length::of(earth.top_m);
-        const double length = nodes.meets_ground ? f64::distance_to_ground(h, c.mu, bottom).value : f64::distance_to_top(h, c.mu, bottom, top).value;
+        const double length =
+            nodes.meets_ground ? f64::distance_to_ground(h, c.mu, bottom).value : f64::distance_to_top(h, c.mu, bottom, top).value;
         CHECK(nodes.total_column_m[0] == doctest::Approx(column_by_many_steps(ray, 8000.0, length)).epsilon(1e-3));
         CHECK(nodes.total_column_m[1] == doctest::Approx(column_by_many_steps(ray, 1200.0, length)).epsilon(1e-3));
         // The weights of the nodes add up to the length, and columns grow along the ray, but for float's rounding of their sum.
@@ -103,7 +112,8 @@ TEST_CASE("the column of a layer that ends within the air is exact in every dire
         CAPTURE(zenith);
         const double mu = std::cos(zenith * deg);
         sample_ray(earth, {0.0, mu, 0.5, 0.5}, densities, {5e-5f}, 12, nodes);
-        const double expected = f64::distance_to_top(f64::Length::of(0.0), mu, f64::Length::of(earth.bottom_m), f64::Length::of(2000.0)).value;
+        const double expected =
+            f64::distance_to_top(f64::Length::of(0.0), mu, f64::Length::of(earth.bottom_m), f64::Length::of(2000.0)).value;
         CHECK(nodes.total_column_m[0] == doctest::Approx(expected).epsilon(1e-5));  // the rest is float's
     }
 }
@@ -116,21 +126,24 @@ TEST_CASE("table maps: to and back is the identity, at every table size") {
                 const Length bottom_m = Length::of(radius), top_m = Length::of(top);
                 for (int i = 0; i < size; ++i) {
                     const double x = static_cast<double>(i) / (size - 1);
-                    CHECK(f64::altitude_coordinate(f64::altitude_of_coordinate(x, top_m), top_m).value == doctest::Approx(x).epsilon(1e-12));
+                    CHECK(f64::altitude_coordinate(f64::altitude_of_coordinate(x, top_m), top_m).value ==
+                          doctest::Approx(x).epsilon(1e-12));
                     CHECK(f64::sun_coordinate(f64::sun_of_coordinate(x)).value == doctest::Approx(x).epsilon(1e-12));
                     CHECK(f64::view_coordinate(f64::view_of_coordinate(x)).value == doctest::Approx(x).epsilon(1e-12));
                     CHECK(f64::azimuth_coordinate(f64::azimuth_cosine_of_coordinate(x)).value == doctest::Approx(x).epsilon(1e-12));
                     for (const double h : {0.0, 0.01 * top, 0.5 * top, 0.999 * top}) {
                         const f64::Number mu = f64::transmittance_cosine_of_coordinate(Length::of(h), x, bottom_m, top_m);
                         // Near the zenith the distance is flat in the cosine: a rounding of 1e-16 in mu is 1e-8 in the map.
-                        CHECK(f64::transmittance_cosine_coordinate(Length::of(h), mu, bottom_m, top_m).value == doctest::Approx(x).epsilon(1e-7));
+                        CHECK(f64::transmittance_cosine_coordinate(Length::of(h), mu, bottom_m, top_m).value ==
+                              doctest::Approx(x).epsilon(1e-7));
                     }
                 }
             }
 }
 
 TEST_CASE("the altitudes of texels lead back to them, at every size and with any number of jumps") {
-    const std::vector<std::vector<double>> jumps_of_layers = {{}, {2000.0}, {1.0}, {99'000.0}, {1500.0, 2000.0, 12'000.0}, {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0}};
+    const std::vector<std::vector<double>> jumps_of_layers = {
+        {}, {2000.0}, {1.0}, {99'000.0}, {1500.0, 2000.0, 12'000.0}, {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0}};
     for (const auto& jumps : jumps_of_layers)
         for (const int size : {2, 3, 6, 16, 32, 33, 256}) {
             CAPTURE(jumps.size());

@@ -60,7 +60,8 @@ TEST_CASE("the exponential of spectra agrees with the library's to its stated er
     for (double x = -700.0; x < 700.0; x += 0.0137) {
         worst_double = std::max(worst_double, std::abs(fast_exp(x) / std::exp(x) - 1.0));
         if (std::abs(x) < 87.0)
-            worst_float = std::max(worst_float, std::abs(fast_exp(static_cast<float>(x)) / std::exp(static_cast<double>(static_cast<float>(x))) - 1.0));
+            worst_float = std::max(worst_float,
+                                   std::abs(fast_exp(static_cast<float>(x)) / std::exp(static_cast<double>(static_cast<float>(x))) - 1.0));
     }
     CHECK(worst_double < 3e-16 + 2.3e-16);  // its own error and half a unit in the last place of the library's
     CHECK(worst_float < 2.0e-7);

@@ -43,7 +43,8 @@ TEST_CASE("every report of the corpus parses") {
         CAPTURE(path.filename().string());
         const Metar metar = parsed(*read_file(path));
         CHECK(metar.station.size() == 4);
-        CHECK((metar.nil || metar.visibility || !metar.directional_visibility.empty() || metar.station == "EGNM" || metar.station == "EGPC"));
+        CHECK(
+            (metar.nil || metar.visibility || !metar.directional_visibility.empty() || metar.station == "EGNM" || metar.station == "EGPC"));
     }
 }
 
@@ -65,8 +66,8 @@ TEST_CASE("every wrong report is refused with the text kept beside it") {
 }
 
 TEST_CASE("a report's groups arrive with their units") {
-    const Metar metar = parsed(
-        "METAR EDDF 171950Z 24015G25KT 210V270 4000 2000NE R25L/P1500N -SHRA BR FEW020 SCT045CB 18/09 Q1013 RERA NOSIG=");
+    const Metar metar =
+        parsed("METAR EDDF 171950Z 24015G25KT 210V270 4000 2000NE R25L/P1500N -SHRA BR FEW020 SCT045CB 18/09 Q1013 RERA NOSIG=");
     CHECK(metar.kind == ReportKind::routine);
     CHECK(metar.station == "EDDF");
     CHECK(metar.day == 17);
@@ -104,9 +105,7 @@ TEST_CASE("a report's groups arrive with their units") {
 }
 
 TEST_CASE("visibility: metres, statute miles and fractions, with what is only a bound") {
-    const auto visibility = [](std::string group) {
-        return *parsed("METAR KSFO 171950Z 00000KT " + group + " 18/09 A2992").visibility;
-    };
+    const auto visibility = [](std::string group) { return *parsed("METAR KSFO 171950Z 00000KT " + group + " 18/09 A2992").visibility; };
     constexpr Length mile = 1609.344 * m;
     CHECK(visibility("9999") == ReportedDistance{10.0 * km, Bound::at_least});
     CHECK(visibility("CAVOK") == ReportedDistance{10.0 * km, Bound::at_least});
@@ -151,8 +150,7 @@ TEST_CASE("the remarks refine temperature and pressure, and are kept") {
     CHECK(*metar.qnh_hpa == doctest::Approx(1016.26).epsilon(1e-5));  // 30.01 inHg
     CHECK(metar.remarks == "AO2 SLP162 T01720111");
     CHECK(*kept("fairbanks-cold").temperature_c == -40.6);
-    CHECK(*parsed("METAR KSFO 171950Z 10SM 18/09 A2992 RMK SLP987").sea_level_pressure_hpa ==
-          doctest::Approx(998.7).epsilon(1e-14));
+    CHECK(*parsed("METAR KSFO 171950Z 10SM 18/09 A2992 RMK SLP987").sea_level_pressure_hpa == doctest::Approx(998.7).epsilon(1e-14));
 }
 
 TEST_CASE("present weather: intensity, descriptor and phenomena of code table 4678") {
@@ -190,12 +188,10 @@ TEST_CASE("humidity: saturation pressure is the tables' and grows; air at its de
     CHECK(saturation_vapour_pressure_hpa(20.0) == doctest::Approx(23.37).epsilon(0.003));
     CHECK(saturation_vapour_pressure_hpa(0.0) == doctest::Approx(6.112).epsilon(0.003));
     CHECK(saturation_vapour_pressure_hpa(30.0) == doctest::Approx(42.43).epsilon(0.003));
-    for (double t = -45.0; t < 60.0; t += 0.5)
-        CHECK(saturation_vapour_pressure_hpa(t) < saturation_vapour_pressure_hpa(t + 0.5));
+    for (double t = -45.0; t < 60.0; t += 0.5) CHECK(saturation_vapour_pressure_hpa(t) < saturation_vapour_pressure_hpa(t + 0.5));
     CHECK(relative_humidity(18.0, 18.0) == 1.0);
     CHECK(relative_humidity(18.0, 19.0) == 1.0);
-    CHECK(relative_humidity(20.0, 9.27) ==
-          doctest::Approx(0.5).epsilon(0.003));  // the dew point of half-saturated air at 20 deg C
+    CHECK(relative_humidity(20.0, 9.27) == doctest::Approx(0.5).epsilon(0.003));  // the dew point of half-saturated air at 20 deg C
     CHECK(!relative_humidity(kept("no-dew-point")));
     CHECK(*relative_humidity(kept("paris-fog")) == 1.0);
 }

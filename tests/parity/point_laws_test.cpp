@@ -32,7 +32,8 @@ void main() {{
     for (int k = 0; k < {0}; ++k) x[k] = arguments[{0} * i + k];
     results[i] = {1};
 }}
-)", law.rows[0].size(), law.call);
+)",
+                                         law.rows[0].size(), law.call);
     return *gpu::resolve_includes(text, AIRLIGHT_SOURCE_DIR);
 }
 
@@ -81,8 +82,8 @@ void check_each(const std::vector<PointLaw>& laws) {
         const std::vector<float> results = on_the_gpu(law);
         const long ulps = largest_ulps(law, results);
         const double error = roundings(law, results);
-        fmt::print("{:<28} {:>7} points on {}: {} ulps from float, {:.3g} roundings from double\n", law.name,
-                   law.rows.size(), context->renderer(), ulps, error);
+        fmt::print("{:<28} {:>7} points on {}: {} ulps from float, {:.3g} roundings from double\n", law.name, law.rows.size(),
+                   context->renderer(), ulps, error);
         if (software) CHECK(ulps <= law.ulps);
         CHECK(error <= 6.0 * law.roundings + 2.0 * law.ulps);
     }

@@ -19,8 +19,8 @@ namespace {
 
 Loss print(const PointLaw& law) {
     const Loss loss = measure(law);
-    fmt::print("{:<28} {:>7} points: relative {:8.2e}, absolute {:8.2e}, roundings {:8.3g} of {:2.0f}\n", law.name,
-               law.rows.size(), loss.relative, loss.absolute, loss.roundings, law.roundings);
+    fmt::print("{:<28} {:>7} points: relative {:8.2e}, absolute {:8.2e}, roundings {:8.3g} of {:2.0f}\n", law.name, law.rows.size(),
+               loss.relative, loss.absolute, loss.roundings, law.roundings);
     return loss;
 }
 
@@ -45,10 +45,9 @@ TEST_CASE("float keeps the maps of tables within the roundings of their formulas
 // The measure can fail. On the same points, the forms that cancel lose ten times more than any bound above.
 TEST_CASE("the forms of textbooks lose what the forms with altitudes keep") {
     const std::vector<PointLaw> ours = shell_laws();
-    for (const PointLaw& law : {POINT_LAW(textbook_distance_to_top, ours[0].rows, 10, 0),
-                                POINT_LAW(textbook_meets_ground, ours[1].rows, 8, 0),
-                                POINT_LAW(textbook_distance_to_ground, ours[3].rows, 9, 0),
-                                POINT_LAW(textbook_altitude_at, ours[4].rows, 13, 0)}) {
+    for (const PointLaw& law :
+         {POINT_LAW(textbook_distance_to_top, ours[0].rows, 10, 0), POINT_LAW(textbook_meets_ground, ours[1].rows, 8, 0),
+          POINT_LAW(textbook_distance_to_ground, ours[3].rows, 9, 0), POINT_LAW(textbook_altitude_at, ours[4].rows, 13, 0)}) {
         const Loss loss = print(law);
         CAPTURE(law.name);
         CHECK(loss.roundings > 10.0 * law.roundings);

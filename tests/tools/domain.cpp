@@ -12,8 +12,7 @@ constexpr std::array<double, 6> tops = {1e3, 60e3, 100e3, 400e3, 10000e3, 100000
 
 std::vector<double> heights(double top) {
     std::vector<double> all = {0.0, 1e-3, 2.0, 100.0};
-    for (const double fraction : {1e-6, 1e-4, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.9999, 1.0 - 1e-6, 1.0})
-        all.push_back(fraction * top);
+    for (const double fraction : {1e-6, 1e-4, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.9999, 1.0 - 1e-6, 1.0}) all.push_back(fraction * top);
     std::erase_if(all, [&](double h) { return h > top; });
     return all;
 }
@@ -28,9 +27,7 @@ std::vector<double> directions(double h, double bottom) {
     return all;
 }
 
-bool down(const ShellRay& r) {
-    return f64::meets_ground(f64::Length::of(r.h), f64::Number::of(r.mu), f64::Length::of(r.bottom));
-}
+bool down(const ShellRay& r) { return f64::meets_ground(f64::Length::of(r.h), f64::Number::of(r.mu), f64::Length::of(r.bottom)); }
 
 }  // namespace
 

@@ -49,41 +49,31 @@ namespace detail {
 
 template <class A>
 A argument(double x) {
-    if constexpr (std::is_same_v<A, int>)
-        return static_cast<int>(std::lround(x));
-    else if constexpr (requires { A::size; })
-        return A(A::Scalar::of(static_cast<typename A::Rep>(x)));
-    else
-        return A::of(static_cast<typename A::Rep>(x));
+    if constexpr (std::is_same_v<A, int>) return static_cast<int>(std::lround(x));
+    else if constexpr (requires { A::size; }) return A(A::Scalar::of(static_cast<typename A::Rep>(x)));
+    else return A::of(static_cast<typename A::Rep>(x));
 }
 
 template <class A>
 std::string glsl_argument(std::size_t i) {
     const std::string x = "x[" + std::to_string(i) + "]";
-    if constexpr (std::is_same_v<A, int>)
-        return "int(" + x + ")";
-    else if constexpr (requires { A::size; })
-        return "Spectrum(" + x + ")";
-    else
-        return x;
+    if constexpr (std::is_same_v<A, int>) return "int(" + x + ")";
+    else if constexpr (requires { A::size; }) return "Spectrum(" + x + ")";
+    else return x;
 }
 
 template <class R>
 double result(const R& r) {
-    if constexpr (std::is_same_v<R, bool> || std::is_same_v<R, int>)
-        return r;
-    else if constexpr (requires { R::size; })
-        return static_cast<double>(r.v[0]);
-    else
-        return static_cast<double>(r.value);
+    if constexpr (std::is_same_v<R, bool> || std::is_same_v<R, int>) return r;
+    else if constexpr (requires { R::size; }) return static_cast<double>(r.v[0]);
+    else return static_cast<double>(r.value);
 }
 
 template <class R, class... A>
 std::function<double(std::span<const double>)> caller(R (*f)(A...)) {
     return [f](std::span<const double> x) {
-        return [&]<std::size_t... I>(std::index_sequence<I...>) {
-            return result(f(argument<std::decay_t<A>>(x[I])...));
-        }(std::index_sequence_for<A...>());
+        return [&]<std::size_t... I>(std::index_sequence<I...>) { return result(f(argument<std::decay_t<A>>(x[I])...)); }
+        (std::index_sequence_for<A...>());
     };
 }
 
@@ -95,7 +85,8 @@ std::string glsl_call(const std::string& name, R (*)(A...)) {
         const std::string call = name + "(" + arguments + ")";
         if constexpr (requires { R::size; }) return call + "[0]";
         return "float(" + call + ")";
-    }(std::index_sequence_for<A...>());
+    }
+    (std::index_sequence_for<A...>());
 }
 
 template <class F64, class F32>

@@ -83,7 +83,12 @@ std::vector<PointLaw> shell_laws() {
         // p 2, p p 5, k 3: 8 between the two sides
         POINT_LAW(meets_ground, start(all_rays()), 8, 0),
         // k 3, root 3, sum 1, quotient 5
-        POINT_LAW(horizon_cosine, rows(all_rays(), [](const ShellRay& r) { return Row{r.h, r.bottom}; }), 5, 0),
+        POINT_LAW(horizon_cosine,
+                  rows(all_rays(),
+                       [](const ShellRay& r) {
+                           return Row{r.h, r.bottom};
+                       }),
+                  5, 0),
         // p 2, p p 5, difference 6 (it cancels as mu nears the horizon's: counted against mu), root 4, sum 5, k 3, quotient 9
         POINT_LAW(distance_to_ground, start(rays_to_the_ground()), 9, 0),
         // r 1, along 3, squares 7 and 6, sum 8, root 5, divisor 6, dividend 5 (it cancels: counted against t), quotient 12, sum 13
@@ -132,10 +137,20 @@ std::vector<PointLaw> map_laws() {
         // constant 1, texel 2, product 3, sum 4
         POINT_LAW(texture_coordinate, combinations({coordinates(), {2, 16, 32, 64, 256}}), 4, 0),
         // quotient 1, root 1
-        POINT_LAW(altitude_coordinate, rows(all_rays(), [](const ShellRay& r) { return Row{r.h, r.top}; }), 2, 0),
+        POINT_LAW(altitude_coordinate,
+                  rows(all_rays(),
+                       [](const ShellRay& r) {
+                           return Row{r.h, r.top};
+                       }),
+                  2, 0),
         POINT_LAW(altitude_of_coordinate, combinations({coordinates(), altitudes()}), 2, 0),
         // roots 3, quotient 6, sum 7
-        POINT_LAW(transmittance_span, rows(all_rays(), [](const ShellRay& r) { return Row{r.h, r.bottom, r.top}; }), 7, 0),
+        POINT_LAW(transmittance_span,
+                  rows(all_rays(),
+                       [](const ShellRay& r) {
+                           return Row{r.h, r.bottom, r.top};
+                       }),
+                  7, 0),
         // d 10, detour 3 + 10 + 4, their product 28, d + knee 11, quotient 40, the rest 9 + 7
         POINT_LAW(transmittance_cosine_coordinate, start_and_top(rays_to_the_top()), 58, 0),
         // q 18, longer 18 + 19 + 4, d 42, quotients 41 + 42 + 43

@@ -29,11 +29,15 @@ inline std::vector<Wavelength> some_wavelengths(int count) {
 }
 
 inline BakeSettings tiny_bake(int orders) {
-    return {.sizes = {.transmittance_mu = 4, .transmittance_altitude = 4, .sun = 2, .azimuth = 2, .view = 3, .altitude = 2}, .orders = orders, .extrapolate = true};
+    return {.sizes = {.transmittance_mu = 4, .transmittance_altitude = 4, .sun = 2, .azimuth = 2, .view = 3, .altitude = 2},
+            .orders = orders,
+            .extrapolate = true};
 }
 
 inline bool same_bits(const PackTables& a, const PackTables& b) {
-    const auto same = [](auto x, auto y) { return x.size_bytes() == y.size_bytes() && std::memcmp(x.data(), y.data(), x.size_bytes()) == 0; };
+    const auto same = [](auto x, auto y) {
+        return x.size_bytes() == y.size_bytes() && std::memcmp(x.data(), y.data(), x.size_bytes()) == 0;
+    };
     return same(a.transmittance.cells(), b.transmittance.cells()) && same(a.source.cells(), b.source.cells()) &&
            same(a.irradiance.cells(), b.irradiance.cells());
 }

@@ -23,7 +23,9 @@ void set_field(std::string& file, std::size_t offset, T value) {
 }
 
 // Where the i-th entry of the list of sections stands.
-inline std::size_t entry_offset(const std::string& file, std::size_t i) { return 128 + 8 * std::size_t{field<std::uint32_t>(file, 40)} + 64 * i; }
+inline std::size_t entry_offset(const std::string& file, std::size_t i) {
+    return 128 + 8 * std::size_t{field<std::uint32_t>(file, 40)} + 64 * i;
+}
 
 // A file too short for what its head says is left as it is.
 inline void seal(std::string& file) {

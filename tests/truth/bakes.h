@@ -15,11 +15,14 @@ namespace airlight::truth {
 
 // Light tables cost some twentieth of the default ones: by day they lose little.
 inline BakeSettings light_bake(int azimuth, int view, int altitude) {
-    return {.sizes = {.transmittance_mu = 128, .transmittance_altitude = 64, .sun = 32, .azimuth = azimuth, .view = view, .altitude = altitude}, .orders = 4};
+    return {
+        .sizes = {.transmittance_mu = 128, .transmittance_altitude = 64, .sun = 32, .azimuth = azimuth, .view = view, .altitude = altitude},
+        .orders = 4};
 }
 inline BakeSettings bake_settings() { return full() ? BakeSettings{} : light_bake(8, 20, 16); }
 
-inline TableSky table_sky(const Atmosphere& atmosphere, const std::vector<Wavelength>& wavelengths, const BakeSettings& settings = bake_settings()) {
+inline TableSky table_sky(const Atmosphere& atmosphere, const std::vector<Wavelength>& wavelengths,
+                          const BakeSettings& settings = bake_settings()) {
     return TableSky(std::make_shared<Tables>(*bake_tables(atmosphere, wavelengths, settings, {})));
 }
 

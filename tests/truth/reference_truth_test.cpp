@@ -35,7 +35,8 @@ struct Comparison {
         sum_chi_square += (ours - theirs) * (ours - theirs) / (error * error);
         if (excess > sigmas) {
             ++beyond;
-            fmt::print("    beyond: {}: {:.5e} +- {:.1e} against {:.5e} +- {:.1e} ({:+.2f} %)\n", name, ours, our_error, theirs, their_error, 100.0 * (ours / theirs - 1.0));
+            fmt::print("    beyond: {}: {:.5e} +- {:.1e} against {:.5e} +- {:.1e} ({:+.2f} %)\n", name, ours, our_error, theirs,
+                       their_error, 100.0 * (ours / theirs - 1.0));
         }
         if (excess > worst_excess) {
             worst_excess = excess;
@@ -43,8 +44,10 @@ struct Comparison {
         }
     }
     void print(const char* what) const {
-        fmt::print("  {}: {} rows, mean absolute deviation {:.3f} %, mean standard error {:.3f} %, chi-square per row {:.3f}, beyond the bound {}\n", what, rows,
-                   100.0 * sum_deviation / rows, 100.0 * sum_standard_error / rows, sum_chi_square / rows, beyond);
+        fmt::print(
+            "  {}: {} rows, mean absolute deviation {:.3f} %, mean standard error {:.3f} %, chi-square per row {:.3f}, beyond the bound "
+            "{}\n",
+            what, rows, 100.0 * sum_deviation / rows, 100.0 * sum_standard_error / rows, sum_chi_square / rows, beyond);
     }
 };
 
@@ -57,7 +60,10 @@ double angle_to_sun(const Row& row) {
 std::map<std::string, std::vector<const Row*>> by_geometry(const std::vector<Row>& rows) {
     std::map<std::string, std::vector<const Row*>> groups;
     for (const Row& row : rows)
-        groups[row.text("case").starts_with("sky") ? fmt::format("{} {} {} {}", row["sun_zenith_deg"], row["eye_altitude_m"], row["view_zenith_deg"], row["relative_azimuth_deg"]) : name_of(row)].push_back(&row);
+        groups[row.text("case").starts_with("sky") ? fmt::format("{} {} {} {}", row["sun_zenith_deg"], row["eye_altitude_m"],
+                                                                 row["view_zenith_deg"], row["relative_azimuth_deg"])
+                                                   : name_of(row)]
+            .push_back(&row);
     return groups;
 }
 
@@ -79,13 +85,15 @@ TEST_CASE("in the flat limit the reference agrees with discrete ordinates") {
         const Row& first = *group.front();
         const bool sky = first.text("case").starts_with("sky");
         if (!sky && !slabs.contains(first.text("case")))
-            slabs.emplace(first.text("case"), *Reference::of(truth::slab(first.text("case"), first["ground_albedo"], radius), {550.0 * nm}));
+            slabs.emplace(first.text("case"),
+                          *Reference::of(truth::slab(first.text("case"), first["ground_albedo"], radius), {550.0 * nm}));
         const Reference& reference = sky ? skies : slabs.at(first.text("case"));
         const RadianceEstimate estimate = *reference.radiance(view_of(first), {.paths = paths, .seed = 20260101 + index});
         for (const Row* row : group) {
             const std::size_t lane = lane_of(*row);
             (angle_to_sun(*row) < 3.0 ? near_sun : all)
-                .add(name_of(*row), estimate.radiance_W_m2_sr_nm[lane], estimate.standard_error[lane], (*row)["radiance_per_irradiance_sr-1"], 0.0, 4.5);
+                .add(name_of(*row), estimate.radiance_W_m2_sr_nm[lane], estimate.standard_error[lane],
+                     (*row)["radiance_per_irradiance_sr-1"], 0.0, 4.5);
         }
     }
     all.print("plane_parallel.csv");
@@ -108,7 +116,8 @@ TEST_CASE("on the sphere the reference agrees with another Monte Carlo, at twili
         for (const Row* row : group) {
             const std::size_t lane = lane_of(*row);
             ((*row)["radiance_per_irradiance_sr-1"] < 1e-6 ? dark : all)
-                .add(name_of(*row), estimate.radiance_W_m2_sr_nm[lane], estimate.standard_error[lane], (*row)["radiance_per_irradiance_sr-1"], (*row)["standard_error"], 4.0);
+                .add(name_of(*row), estimate.radiance_W_m2_sr_nm[lane], estimate.standard_error[lane],
+                     (*row)["radiance_per_irradiance_sr-1"], (*row)["standard_error"], 4.0);
         }
     }
     all.print("spherical.csv");
@@ -124,19 +133,23 @@ TEST_CASE("the reference agrees with the exact light of a measured day's air") {
     if (absent(rows, "exact_sky.csv") || absent(bands, "measured_sky_atmosphere.csv")) return;
     std::vector<double> wavelengths;
     for (const Row& row : rows)
-        if (std::find(wavelengths.begin(), wavelengths.end(), row["wavelength_nm"]) == wavelengths.end()) wavelengths.push_back(row["wavelength_nm"]);
+        if (std::find(wavelengths.begin(), wavelengths.end(), row["wavelength_nm"]) == wavelengths.end())
+            wavelengths.push_back(row["wavelength_nm"]);
     const Reference reference = *Reference::of(truth::measured_sky(bands), in_nm(wavelengths));
     std::map<std::string, std::vector<const Row*>> geometries;
-    for (const Row& row : rows) geometries[fmt::format("{} {} {}", row.text("time"), row["view_zenith_deg"], row["view_azimuth_deg"])].push_back(&row);
+    for (const Row& row : rows)
+        geometries[fmt::format("{} {} {}", row.text("time"), row["view_zenith_deg"], row["view_azimuth_deg"])].push_back(&row);
     Comparison all;
     double sum_square = 0.0;
     std::size_t index = 0;
     for (const auto& [key, group] : geometries) {
         if (index++ % (truth::full() ? 1 : 5) != 0) continue;
         const Row& first = *group.front();
-        const RadianceEstimate estimate = *reference.radiance(truth::ground_view_of(first), {.paths = truth::full() ? 65536 : 8192, .seed = 11 + index});
+        const RadianceEstimate estimate =
+            *reference.radiance(truth::ground_view_of(first), {.paths = truth::full() ? 65536 : 8192, .seed = 11 + index});
         for (const Row* row : group) {
-            const std::size_t lane = static_cast<std::size_t>(std::find(wavelengths.begin(), wavelengths.end(), (*row)["wavelength_nm"]) - wavelengths.begin());
+            const std::size_t lane =
+                static_cast<std::size_t>(std::find(wavelengths.begin(), wavelengths.end(), (*row)["wavelength_nm"]) - wavelengths.begin());
             const double theirs = (*row)["radiance_W_m-2_sr-1_nm-1"];
             all.add(key, estimate.radiance_W_m2_sr_nm[lane], estimate.standard_error[lane], theirs, (*row)["standard_error"], 4.0);
             sum_square += std::pow(estimate.radiance_W_m2_sr_nm[lane] - theirs, 2);

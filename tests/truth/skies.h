@@ -32,8 +32,10 @@ inline Atmosphere sky(Length radius) {
     a.name = "three skies";
     a.bottom_radius = radius;
     a.top_altitude = top;
-    a.constituents.push_back({.name = "air", .profile = air, .scattering = coefficient(air, {0.2184, 0.0973, 0.0494}), .phase = RayleighPhase{}});
-    a.constituents.push_back({.name = "aerosol", .profile = aerosol,
+    a.constituents.push_back(
+        {.name = "air", .profile = air, .scattering = coefficient(air, {0.2184, 0.0973, 0.0494}), .phase = RayleighPhase{}});
+    a.constituents.push_back({.name = "aerosol",
+                              .profile = aerosol,
                               .scattering = coefficient(aerosol, {0.05 * 0.92, 0.05 * 0.92, 0.30 * 0.90}),
                               .absorption = coefficient(aerosol, {0.05 * 0.08, 0.05 * 0.08, 0.30 * 0.10}),
                               .phase = HenyeyGreensteinPhase{spectrum<Number>(sky_wavelengths_nm, {0.76, 0.76, 0.80})}});
@@ -57,7 +59,11 @@ inline Atmosphere slab(const std::string& name, double ground_albedo, Length rad
     const auto constant = [](InverseLength x) { return SpectrumOf<InverseLength>::constant(x); };
     PhaseFunction phase = RayleighPhase{};
     if (name.find("_hg") != std::string::npos) phase = HenyeyGreensteinPhase{SpectrumOf<Number>::constant(number_after("_hg", 0.0))};
-    a.constituents.push_back({.name = "slab", .profile = LayerProfile{0.0 * km, top}, .scattering = constant(single * tau / top), .absorption = constant((1.0 - single) * tau / top), .phase = phase});
+    a.constituents.push_back({.name = "slab",
+                              .profile = LayerProfile{0.0 * km, top},
+                              .scattering = constant(single * tau / top),
+                              .absorption = constant((1.0 - single) * tau / top),
+                              .phase = phase});
     a.ground_albedo = SpectrumOf<Number>::constant(ground_albedo);
     return a;
 }
@@ -80,9 +86,13 @@ inline Atmosphere measured_sky(const std::vector<Row>& bands) {
         albedo.push_back(band["ground_albedo"]);
         sun.push_back(band["solar_irradiance_W_m-2_nm-1"] * W_per_m2_nm);
     }
-    a.constituents.push_back({.name = "air", .profile = ExponentialProfile{8.0 * km}, .scattering = spectrum(wavelengths, rayleigh), .phase = RayleighPhase{}});
-    a.constituents.push_back({.name = "aerosol", .profile = ExponentialProfile{1.2 * km}, .scattering = spectrum(wavelengths, scattering),
-                              .absorption = spectrum(wavelengths, absorption), .phase = CornetteShanksPhase{SpectrumOf<Number>::constant(0.7)}});
+    a.constituents.push_back(
+        {.name = "air", .profile = ExponentialProfile{8.0 * km}, .scattering = spectrum(wavelengths, rayleigh), .phase = RayleighPhase{}});
+    a.constituents.push_back({.name = "aerosol",
+                              .profile = ExponentialProfile{1.2 * km},
+                              .scattering = spectrum(wavelengths, scattering),
+                              .absorption = spectrum(wavelengths, absorption),
+                              .phase = CornetteShanksPhase{SpectrumOf<Number>::constant(0.7)}});
     a.ground_albedo = spectrum(wavelengths, albedo);
     a.sun.irradiance = spectrum(wavelengths, sun);
     return a;

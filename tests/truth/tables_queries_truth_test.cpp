@@ -20,22 +20,32 @@ public:
     explicit Draw(std::size_t seed) : engine_(seed) {}
     Length altitude(Length top) {
         switch (engine_() % 16) {
-            case 0: return 0.0 * m;
-            case 1: return 1e8 * m;
-            case 2: return top;
-            default: return std::pow(10.0, -3.0 + 11.0 * unit_(engine_)) * m;
+            case 0:
+                return 0.0 * m;
+            case 1:
+                return 1e8 * m;
+            case 2:
+                return top;
+            default:
+                return std::pow(10.0, -3.0 + 11.0 * unit_(engine_)) * m;
         }
     }
     double zenith() {
         switch (engine_() % 16) {
-            case 0: return 0.0;
-            case 1: return pi;
-            case 2: return 0.5 * pi;
-            default: return std::acos(2.0 * unit_(engine_) - 1.0);
+            case 0:
+                return 0.0;
+            case 1:
+                return pi;
+            case 2:
+                return 0.5 * pi;
+            default:
+                return std::acos(2.0 * unit_(engine_) - 1.0);
         }
     }
     // Every second view is within a degree of the horizon.
-    double view_zenith(double horizon) { return engine_() % 2 == 0 ? zenith() : std::clamp(horizon + deg * std::pow(unit_(engine_) * 2.0 - 1.0, 5.0), 0.0, pi); }
+    double view_zenith(double horizon) {
+        return engine_() % 2 == 0 ? zenith() : std::clamp(horizon + deg * std::pow(unit_(engine_) * 2.0 - 1.0, 5.0), 0.0, pi);
+    }
     double azimuth() { return 4.0 * pi * (unit_(engine_) - 0.5); }
 
 private:
@@ -62,7 +72,9 @@ struct Batch {
             const auto seen = sky.radiance(view);
             const bool good = seen && std::all_of(seen->radiance_W_m2_sr_nm.begin(), seen->radiance_W_m2_sr_nm.end(), is_radiance);
             bad += good ? 0 : 1;
-            if (!good) fmt::print("    radiance(): altitude {} m, view {}, sun {}, azimuth {} rad, seed {}\n", altitude.value, view.view_zenith, view.sun_zenith, view.relative_azimuth, seed);
+            if (!good)
+                fmt::print("    radiance(): altitude {} m, view {}, sun {}, azimuth {} rad, seed {}\n", altitude.value, view.view_zenith,
+                           view.sun_zenith, view.relative_azimuth, seed);
         }
         const Length altitude = draw.altitude(top);
         const double sun = draw.zenith();
@@ -84,8 +96,10 @@ struct Batch {
 TEST_CASE("no query of the whole domain is answered by a negative, an infinity or no number") {
     for (const char* name : {"earth-hazy", "mars"}) {
         const Atmosphere atmosphere = *preset(name);
-        const TableSky sky = truth::full() ? truth::preset_sky(name) : truth::table_sky(atmosphere, truth::sixteen_wavelengths(), truth::light_bake(4, 8, 8));
-        const Batch batch{sky, atmosphere.bottom_radius, atmosphere.top_altitude, truth::full() ? 10'000 : 5000, truth::full() ? 90'000 : 45'000};
+        const TableSky sky = truth::full() ? truth::preset_sky(name)
+                                           : truth::table_sky(atmosphere, truth::sixteen_wavelengths(), truth::light_bake(4, 8, 8));
+        const Batch batch{sky, atmosphere.bottom_radius, atmosphere.top_altitude, truth::full() ? 10'000 : 5000,
+                          truth::full() ? 90'000 : 45'000};
         std::vector<int> bad(truth::full() ? 50 : 1);
         parallel_for(bad.size(), [&](std::size_t i) { bad[i] = batch.bad_answers(20260104 + i); });
         const int sum = std::accumulate(bad.begin(), bad.end(), 0);

@@ -44,8 +44,10 @@ TEST_CASE("tables agree with the exact light of a measured day's air to 1 mW m-2
         standard_error.add(1000.0 * row["standard_error"]);
         relative += std::abs(ours / theirs - 1.0) / static_cast<double>(rows.size());
     }
-    fmt::print("  exact_sky.csv: {} rows, root-mean-square difference {:.3f} mW m-2 sr-1 nm-1 (standard error of the figures {:.3f}), mean absolute deviation {:.3f} %\n",
-               difference.count, difference.value(), standard_error.value(), 100.0 * relative);
+    fmt::print(
+        "  exact_sky.csv: {} rows, root-mean-square difference {:.3f} mW m-2 sr-1 nm-1 (standard error of the figures {:.3f}), mean "
+        "absolute deviation {:.3f} %\n",
+        difference.count, difference.value(), standard_error.value(), 100.0 * relative);
     CHECK(difference.value() <= 1.0);
 }
 
@@ -67,7 +69,8 @@ TEST_CASE("tables are as near to a measured sky as discrete ordinates are") {
             by_time[row.text("time")].add(difference);
         }
     }
-    for (const auto& [time, one] : by_time) fmt::print("  measured_sky.csv: {} root-mean-square difference {:.2f} mW m-2 sr-1 nm-1\n", time, one.value());
+    for (const auto& [time, one] : by_time)
+        fmt::print("  measured_sky.csv: {} root-mean-square difference {:.2f} mW m-2 sr-1 nm-1\n", time, one.value());
     fmt::print("  measured_sky.csv: all times, {} values, {:.2f} mW m-2 sr-1 nm-1\n", all.count, all.value());
     CHECK(all.value() <= 11.6);
 }
@@ -76,7 +79,8 @@ TEST_CASE("tables are as near to a measured sky as discrete ordinates are") {
 TEST_CASE("on the sphere tables agree with another Monte Carlo, at twilight and from space") {
     const std::vector<Row> rows = truth::rows("spherical.csv");
     if (truth::absent(rows, "spherical.csv")) return;
-    const TableSky sky = truth::table_sky(truth::sky(6360.0 * km), truth::in_nm(truth::sky_wavelengths_nm), truth::full() ? truth::bake_settings() : truth::light_bake(12, 24, 32));
+    const TableSky sky = truth::table_sky(truth::sky(6360.0 * km), truth::in_nm(truth::sky_wavelengths_nm),
+                                          truth::full() ? truth::bake_settings() : truth::light_bake(12, 24, 32));
     struct Group {
         int rows = 0;
         double square = 0.0, variance = 0.0;
@@ -87,13 +91,15 @@ TEST_CASE("on the sphere tables agree with another Monte Carlo, at twilight and 
         const double theirs = row["radiance_per_irradiance_sr-1"], error = row["standard_error"];
         if (theirs < 1e-6 || (!truth::full() && (row["sun_zenith_deg"] > 85.0 || row["eye_altitude_m"] > 1e4))) continue;
         const double ours = sky.radiance(truth::view_of(row))->radiance_W_m2_sr_nm[truth::lane_of(row)];
-        Group& group = groups[fmt::format("{} sun {:>4} eye {:>3} km", row.text("case"), row["sun_zenith_deg"], row["eye_altitude_m"] / 1000.0)];
+        Group& group =
+            groups[fmt::format("{} sun {:>4} eye {:>3} km", row.text("case"), row["sun_zenith_deg"], row["eye_altitude_m"] / 1000.0)];
         ++group.rows;
         group.square += std::pow(ours / theirs - 1.0, 2);
         group.variance += std::pow(error / theirs, 2);
         if (std::abs(ours - theirs) <= 4.0 * error + 0.01 * theirs) continue;
         ++beyond;
-        fmt::print("    beyond: {}: {:.4e} against {:.4e} +- {:.1e} ({:+.2f} %)\n", truth::name_of(row), ours, theirs, error, 100.0 * (ours / theirs - 1.0));
+        fmt::print("    beyond: {}: {:.4e} against {:.4e} +- {:.1e} ({:+.2f} %)\n", truth::name_of(row), ours, theirs, error,
+                   100.0 * (ours / theirs - 1.0));
     }
     for (const auto& [name, group] : groups)
         fmt::print("  {} {:>3} rows: root-mean-square deviation {:5.2f} %, standard error of the figures {:5.2f} %\n", name, group.rows,

@@ -19,7 +19,8 @@ inline View view_of(const Row& row) {
 }
 
 inline std::string name_of(const Row& row) {
-    return fmt::format("{} sun {} eye {} km view {} azimuth {}", row.text("case"), row["sun_zenith_deg"], row["eye_altitude_m"] / 1000.0, row["view_zenith_deg"], row["relative_azimuth_deg"]);
+    return fmt::format("{} sun {} eye {} km view {} azimuth {}", row.text("case"), row["sun_zenith_deg"], row["eye_altitude_m"] / 1000.0,
+                       row["view_zenith_deg"], row["relative_azimuth_deg"]);
 }
 
 // Which of the three skies a row is of; 0 for slabs.
