@@ -86,10 +86,8 @@ struct Deviation {
 // Light of twilight comes by rare paths through lit air far away: with too few of them the reference reads too dark, and its
 // standard error too small. From space, beyond the terminator, the rarest.
 std::int64_t paths_for(double sun_deg, double eye_km) {
-    const bool space = eye_km > 100.0;
     if (sun_deg < 80.0) return 16'384;
-    if (sun_deg <= 85.0) return space ? 400'000 : 65'536;
-    return space && sun_deg > 90.0 ? 1'600'000 : 400'000;
+    return eye_km > 100.0 && sun_deg > 85.0 ? 1'600'000 : 400'000;
 }
 
 void compare(const std::string& name, const std::vector<double>& suns_deg, const std::vector<double>& eyes_km) {
