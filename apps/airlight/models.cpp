@@ -1,4 +1,6 @@
-// `airlight models`: what can be asked for light, and what each can answer.
+// `airlight models`: every model of the sky, what it is and what it can answer: the survey's table 1 [Lopes2015], extended.
+
+#include "models/model.h"
 
 #include <fmt/format.h>
 
@@ -8,23 +10,16 @@ namespace airlight::cli {
 
 namespace {
 
-struct Model {
-    std::string_view key, scattering, approach, precomputation, altitude, sun_zenith_deg, aerial_perspective, memory;
-};
-
-constexpr Model models[] = {
-    {"reference", "all orders", "Monte Carlo on spherical shells, double precision, with standard errors", "none", "ground to space",
-     "0-180", "transmittance", "below 1 MiB"},
-    {"tables", "single exact; higher orders from tables",
-     "single scattering integrated along the ray, higher orders from the table of their source", "seconds a pack of 16 wavelengths",
-     "ground to space", "0-180 (dark beyond 120)", "transmittance", "66 MiB a pack at the default sizes"},
-};
-
 Result<Done> run() {
-    fmt::print("model,scattering,approach,precomputation,altitude,sun_zenith_deg,aerial_perspective,memory\n");
-    for (const Model& x : models)
-        fmt::print("{},{},\"{}\",\"{}\",{},{},{},{}\n", x.key, x.scattering, x.approach, x.precomputation, x.altitude, x.sun_zenith_deg,
-                   x.aerial_perspective, x.memory);
+    fmt::print(
+        "model,scattering,approach,precomputation,memory,highest_eye_m,highest_sun_zenith_deg,highest_view_zenith_deg,aerial_perspective,"
+        "paper\n");
+    for (const Model& model : models()) {
+        const ModelCard& c = model.card;
+        const std::string highest_eye = c.highest_eye < anywhere ? fmt::format("{:g}", c.highest_eye.in(m)) : "space";
+        fmt::print("{},\"{}\",\"{}\",\"{}\",\"{}\",{},{:g},{:g},{},{}\n", c.key, c.scattering, c.approach, c.precomputation, c.memory,
+                   highest_eye, c.highest_sun_zenith_deg, c.highest_view_zenith_deg, c.aerial_perspective ? "yes" : "no", c.paper);
+    }
     return Done{};
 }
 
@@ -32,7 +27,7 @@ Result<Done> run() {
 
 Command models_command(CLI::App& airlight) {
     CLI::App* app = airlight.add_subcommand("models", "Print the models of the sky, and what each can answer.");
-    app->footer(help_footer("CSV, one row a model.", "airlight models"));
+    app->footer(help_footer("CSV, one row a model; `paper` is a key of docs/references.bib.", "airlight models"));
     return {app, [] { return run(); }};
 }
 

@@ -3,39 +3,30 @@
 #include <fmt/format.h>
 
 #include "atmosphere/validate.h"
-#include "sky/reference_sky.h"
-#include "sky/table_sky.h"
-#include "transport/table_cache.h"
+#include "models/model.h"
 
 namespace airlight::cli {
 
 namespace {
 
-Result<std::unique_ptr<Sky>> table_sky(const SkyInputs& inputs, const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths,
-                                       const Progress& progress) {
-    BakeSettings wanted{.sizes = {}, .orders = inputs.orders};
+// Everything that was said of the model.
+Result<ModelOptions> model_options(const SkyInputs& inputs, const Progress& progress) {
+    ModelOptions options;
+    options.turbidity = inputs.turbidity;
+    options.data = inputs.data;
+    options.bake.orders = inputs.orders;
+    options.reference = {.paths = inputs.paths, .seed = inputs.seed};
+    options.progress = progress;
     if (!inputs.sizes.empty()) {
         const Result<TableSizes> sizes = parse_table_sizes(inputs.sizes);
         if (!sizes) return at("--sizes", sizes.error());
-        wanted.sizes = *sizes;
+        options.bake.sizes = *sizes;
     }
-    const Result<BakeSettings> settings = validated(wanted);
-    if (!settings) return at("--orders", settings.error());
-    CacheSettings cache;
-    if (!inputs.cache.empty()) cache.folder = inputs.cache;
-    cache.warn = [](const Error& warning) { fmt::print(stderr, "warning: {}\n", warning.message()); };
-    Result<Tables> tables = cached_tables(atmosphere, std::move(wavelengths), *settings, cache, progress);
-    if (!tables) return tables.error();
-    return std::unique_ptr<Sky>(std::make_unique<TableSky>(std::make_shared<const Tables>(std::move(*tables))));
-}
-
-Result<std::unique_ptr<Sky>> reference_sky(const SkyInputs& inputs, const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths,
-                                           const Progress& progress) {
+    if (const Result<BakeSettings> ok = validated(options.bake); !ok) return at("--orders", ok.error());
     if (inputs.paths < 1) return Error{"--paths", fmt::format("{} is out of range: it must be 1 or more", inputs.paths), ""};
-    Result<Reference> reference = Reference::of(atmosphere, std::move(wavelengths));
-    if (!reference) return reference.error();
-    const ReferenceSettings settings{.paths = inputs.paths, .seed = inputs.seed};
-    return std::unique_ptr<Sky>(std::make_unique<ReferenceSky>(std::move(*reference), atmosphere.bottom_radius, settings, progress));
+    if (!inputs.cache.empty()) options.cache.folder = inputs.cache;
+    options.cache.warn = [](const Error& warning) { fmt::print(stderr, "warning: {}\n", warning.message()); };
+    return options;
 }
 
 }  // namespace
@@ -45,9 +36,11 @@ void add_sky_inputs(CLI::App& app, SkyInputs& inputs) {
     app.add_option("--wavelengths", inputs.wavelengths, "in nm: 450,550,650 or 360:830:16 (first, last, count)")
         ->option_text("<grid>")
         ->capture_default_str();
-    app.add_option("--model", inputs.model, "tables (fast) or reference (Monte Carlo, with standard errors)")
+    app.add_option("--model", inputs.model, "tables, reference (Monte Carlo, with standard errors) or another of `airlight models`")
         ->option_text("<name>")
         ->capture_default_str();
+    app.add_option("--turbidity", inputs.turbidity, "models of turbidity: instead of that of the atmosphere")->option_text("<T>");
+    app.add_option("--data", inputs.data, "models that read a data set: its file")->option_text("<file>");
     app.add_option("--orders", inputs.orders, "tables: orders of scattering computed, the rest extrapolated")
         ->option_text("<n>")
         ->capture_default_str();
@@ -68,13 +61,10 @@ Result<AskedSky> asked_sky(const SkyInputs& inputs, const Progress& progress) {
     if (const Result<Done> covered = covers(air->atmosphere, grid->first(), grid->last()); !covered)
         return at(inputs.air.atmosphere, covered.error());
     const std::vector<Wavelength> wavelengths(grid->begin(), grid->end());
-    if (inputs.model != "tables" && inputs.model != "reference") {
-        const std::string near = nearest_word(inputs.model, "tables reference");
-        return Error{"--model", fmt::format("\"{}\" is no model: it must be tables or reference", inputs.model),
-                     near.empty() ? "" : fmt::format("Did you mean {}?", near)};
-    }
-    Result<std::unique_ptr<Sky>> sky = inputs.model == "tables" ? table_sky(inputs, air->atmosphere, wavelengths, progress)
-                                                                : reference_sky(inputs, air->atmosphere, wavelengths, progress);
+    if (!find_model(inputs.model)) return at("--model", make_sky(inputs.model, air->atmosphere, wavelengths).error());
+    const Result<ModelOptions> options = model_options(inputs, progress);
+    if (!options) return options.error();
+    Result<std::unique_ptr<Sky>> sky = make_sky(inputs.model, air->atmosphere, wavelengths, *options);
     if (!sky) return sky.error();
     return AskedSky{std::move(air->atmosphere), std::move(air->decisions), std::move(*grid), std::move(*sky)};
 }

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct SkyInputs {
     AirInputs air;
     std::string wavelengths = "standard";
     std::string model = "tables";
+    std::optional<double> turbidity;
+    std::string data;
     std::string sizes;
     int orders = BakeSettings{}.orders;
     std::int64_t paths = 16384;

@@ -36,6 +36,17 @@ Result<std::unique_ptr<SkyDome>> Sky::dome(Length altitude, double sun_zenith) c
     return std::unique_ptr<SkyDome>(std::make_unique<DirectDome>(*this, altitude, sun_zenith));
 }
 
+void SkyDome::radiances(std::span<const Direction> directions, std::span<float> radiance) const {
+    assert(directions.empty() || radiance.size() % directions.size() == 0);
+    const std::size_t n = directions.empty() ? 0 : radiance.size() / directions.size();
+    for (std::size_t i = 0; i < directions.size(); ++i)
+        this->radiance(directions[i].view_zenith, directions[i].relative_azimuth, radiance.subspan(i * n, n));
+}
+
+Result<AerialPerspective> Sky::aerial_perspective(const View&, Length) const {
+    return Error{name(), "has no aerial perspective", "`airlight models` shows which models have it."};
+}
+
 Result<std::vector<double>> Sky::sunlight_transmittance(Length altitude, double view_zenith) const {
     const f64::Length h = f64::Length::of(altitude.value);
     if (f64::meets_ground(h, std::cos(view_zenith), f64::Length::of(bottom_radius().value)))
@@ -57,6 +68,12 @@ std::vector<double> sun_disk_radiance(const Sun& sun, std::span<const Wavelength
         radiance[i] = sun.irradiance.at(wavelengths[i]).value / solid_angle * shape / mean_shape;
     }
     return radiance;
+}
+
+double view_sun_cosine(const View& v) {
+    return std::clamp(
+        std::cos(v.view_zenith) * std::cos(v.sun_zenith) + std::sin(v.view_zenith) * std::sin(v.sun_zenith) * std::cos(v.relative_azimuth),
+        -1.0, 1.0);
 }
 
 Result<Done> check_view(Length altitude, double view_zenith, double sun_zenith, double relative_azimuth) {

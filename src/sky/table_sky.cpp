@@ -13,27 +13,27 @@ namespace {
 
 constexpr int nodes_per_piece = 24;
 
-// The cosine between view and sun.
-double view_sun_cosine(double view_zenith, double sun_zenith, double relative_azimuth) {
-    return std::clamp(
-        std::cos(view_zenith) * std::cos(sun_zenith) + std::sin(view_zenith) * std::sin(sun_zenith) * std::cos(relative_azimuth), -1.0,
-        1.0);
-}
-
-// The ray of a view within the air; none if it misses the air.
-std::optional<Ray> ray_of(const Shell& shell, const View& view) {
-    Ray ray{view.altitude.value, std::cos(view.view_zenith), std::cos(view.sun_zenith),
-            view_sun_cosine(view.view_zenith, view.sun_zenith, view.relative_azimuth)};
+// The ray of a view within the air, over a distance from the eye; none if nothing of it is.
+std::optional<Ray> ray_of(const Shell& shell, const View& view, double distance_m = 1e300) {
+    Ray ray{view.altitude.value, std::cos(view.view_zenith), std::cos(view.sun_zenith), view_sun_cosine(view), distance_m};
     if (!enter_air(shell, ray)) return std::nullopt;
+    if (view.altitude.value > shell.top_m) {
+        // The way to the air is empty.
+        const double r = shell.bottom_m + view.altitude.value, top = shell.bottom_m + shell.top_m;
+        ray.limit_m -= -r * std::cos(view.view_zenith) + top * ray.mu;
+    }
+    if (!(ray.limit_m > 0.0)) return std::nullopt;
     return ray;
 }
 
-RayLight light_along(const Tables::Pack& pack, const Ray& ray) {
+RayLight light_along(const Tables::Pack& pack, const Ray& ray, const Gathered& what) {
     static thread_local RayNodes nodes;
     sample_ray(pack.air.shell, ray, pack.air.densities, pack.air.opacity, nodes_per_piece, nodes);
-    const Gathered everything{
-        .single = true, .source = &pack.tables.source, .diffuse_on_ground = &pack.tables.irradiance, .direct_on_ground = true};
-    return gather(pack.air, pack.tables.transmittance, everything, nodes, static_cast<float>(ray.nu));
+    return gather(pack.air, pack.tables.transmittance, what, nodes, static_cast<float>(ray.nu));
+}
+RayLight light_along(const Tables::Pack& pack, const Ray& ray) {
+    return light_along(
+        pack, ray, {.single = true, .source = &pack.tables.source, .diffuse_on_ground = &pack.tables.irradiance, .direct_on_ground = true});
 }
 
 // Radiance in a direction from light without phase functions, at the wavelengths of the pack.
@@ -56,7 +56,7 @@ Result<RadianceEstimate> TableSky::radiance(const View& view) const {
     RadianceEstimate estimate;
     for (const Tables::Pack& pack : tables_->packs()) {
         const std::optional<Ray> ray = ray_of(pack.air.shell, view);
-        const double nu = view_sun_cosine(view.view_zenith, view.sun_zenith, view.relative_azimuth);
+        const double nu = view_sun_cosine(view);
         for (int w = 0; w < pack.optics.wavelength_count; ++w) estimate.radiance_W_m2_sr_nm.push_back(0.0);
         if (!ray) continue;
         const f32::RadianceSpectrum radiance = with_phases(pack.optics, light_along(pack, *ray), nu);
@@ -95,22 +95,37 @@ Result<std::vector<double>> TableSky::transmittance(Length altitude, double view
     RayNodes nodes;
     for (const Tables::Pack& pack : tables_->packs()) {
         // Only the way matters: let the sun stand behind, where no shadow cuts the ray.
-        Ray ray{altitude.value, std::cos(view_zenith), 1.0, std::cos(view_zenith), distance.value};
-        const double outside = altitude.value;
-        const bool met = enter_air(pack.air.shell, ray);
-        if (met && outside > pack.air.shell.top_m) {
-            const double r = pack.air.shell.bottom_m + outside;
-            const double top = pack.air.shell.bottom_m + pack.air.shell.top_m;
-            ray.limit_m -= -r * std::cos(view_zenith) + top * ray.mu;  // the way to the air is empty
-        }
+        std::optional<Ray> ray = ray_of(pack.air.shell, {altitude, view_zenith, 0.0, 0.0}, distance.value);
         f32::Spectrum seen(f32::Number(1.0));
-        if (met && ray.limit_m > 0.0) {
-            sample_ray(pack.air.shell, ray, pack.air.densities, pack.air.opacity, nodes_per_piece, nodes);
+        if (ray) {
+            ray->mu_s = 1.0;
+            ray->nu = ray->mu;
+            sample_ray(pack.air.shell, *ray, pack.air.densities, pack.air.opacity, nodes_per_piece, nodes);
             seen = transmittance_of(pack.air, nodes.total_column_m);
         }
         for (int w = 0; w < pack.optics.wavelength_count; ++w) transmittance.push_back(seen.v[w]);
     }
     return transmittance;
+}
+
+Result<AerialPerspective> TableSky::aerial_perspective(const View& view, Length distance) const {
+    if (const Result<Done> ok = check_view(view.altitude, view.view_zenith, view.sun_zenith, view.relative_azimuth); !ok) return ok.error();
+    AerialPerspective air;
+    for (const Tables::Pack& pack : tables_->packs()) {
+        f32::Spectrum transmittance(f32::Number(1.0));
+        f32::RadianceSpectrum inscattered(f32::RadianceSpectrum::Scalar::of(0.0f));
+        if (const std::optional<Ray> ray = ray_of(pack.air.shell, view, distance.value)) {
+            const RayLight light = light_along(
+                pack, *ray, {.single = true, .source = &pack.tables.source, .diffuse_on_ground = nullptr, .direct_on_ground = false});
+            transmittance = light.transmittance;
+            inscattered = with_phases(pack.optics, light, ray->nu);
+        }
+        for (int w = 0; w < pack.optics.wavelength_count; ++w) {
+            air.transmittance.push_back(transmittance.v[w]);
+            air.inscattered_W_m2_sr_nm.push_back(inscattered.v[w]);
+        }
+    }
+    return air;
 }
 
 namespace {
@@ -140,7 +155,7 @@ public:
     void radiance(double view_zenith, double relative_azimuth, std::span<float> radiance) const override {
         std::fill(radiance.begin(), radiance.end(), 0.0f);
         if (view_zenith < edge_) return;
-        const double nu = view_sun_cosine(view_zenith, sun_zenith_, relative_azimuth);
+        const double nu = view_sun_cosine({0.0 * m, view_zenith, sun_zenith_, relative_azimuth});
         const bool sky = view_zenith <= horizon_;
         const double s =
             sky ? std::sqrt((horizon_ - view_zenith) / (horizon_ - edge_)) : std::sqrt((view_zenith - horizon_) / (pi - horizon_));

@@ -62,6 +62,7 @@ struct Quantity {
     friend constexpr Quantity min(Quantity a, Quantity b) { return a.value < b.value ? a : b; }
     friend constexpr Quantity max(Quantity a, Quantity b) { return a.value > b.value ? a : b; }
     friend constexpr Quantity clamp(Quantity x, Quantity low, Quantity high) { return min(max(x, low), high); }
+    friend constexpr NumberOf<R> sign(Quantity a) { return NumberOf<R>::of(static_cast<R>((a.value > R(0)) - (a.value < R(0)))); }
     friend Quantity abs(Quantity a) { return of(std::abs(a.value)); }
 };
 

@@ -22,6 +22,7 @@ std::string shader_of(const PointLaw& law) {
     const std::string text = fmt::format(R"(#version 450 core
 #include "physics/readings/glsl.glsl"
 #include "physics/readings/text.inc"
+#include "physics/models/text.inc"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Arguments {{ float arguments[]; }};
 layout(std430, binding = 1) writeonly buffer Results {{ float results[]; }};
@@ -96,3 +97,4 @@ TEST_CASE("the GPU computes rays in shells as float does") { check_each(shell_la
 TEST_CASE("the GPU computes densities as float does") { check_each(density_laws()); }
 TEST_CASE("the GPU computes phase functions as float does") { check_each(phase_laws()); }
 TEST_CASE("the GPU computes the maps of tables as float does") { check_each(map_laws()); }
+TEST_CASE("the GPU computes the models of the sky as float does") { check_each(model_laws()); }

@@ -3,12 +3,14 @@
 cmake_minimum_required(VERSION 3.25)
 
 file(STRINGS ${ROOT}/physics/readings/text.inc lines REGEX "^#include")
+file(STRINGS ${ROOT}/physics/models/text.inc model_lines REGEX "^#include")
+list(APPEND lines ${model_lines})
 list(TRANSFORM lines REPLACE "^#include \"(.*)\"$" "\\1")
 file(GLOB_RECURSE texts RELATIVE ${ROOT} ${ROOT}/physics/*.glsl)
 list(REMOVE_ITEM texts physics/readings/glsl.glsl)
 foreach(text IN LISTS texts)
   if(NOT text IN_LIST lines)
-    message(SEND_ERROR "${text} is not in physics/readings/text.inc: no reading sees it.")
+    message(SEND_ERROR "${text} is neither in physics/readings/text.inc nor in physics/models/text.inc: no reading sees it.")
   endif()
 endforeach()
 

@@ -41,6 +41,7 @@ TEST_CASE("float keeps rays in shells within the roundings of their formulas") {
 TEST_CASE("float keeps densities within the roundings of their formulas") { check_each(density_laws()); }
 TEST_CASE("float keeps phase functions within the roundings of their formulas") { check_each(phase_laws()); }
 TEST_CASE("float keeps the maps of tables within the roundings of their formulas") { check_each(map_laws()); }
+TEST_CASE("float keeps the models of the sky within the roundings of their formulas") { check_each(model_laws()); }
 
 // The measure can fail. On the same points, the forms that cancel lose ten times more than any bound above.
 TEST_CASE("the forms of textbooks lose what the forms with altitudes keep") {

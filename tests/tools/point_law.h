@@ -100,4 +100,19 @@ PointLaw point_law(const std::string& name, F64 f64, F32 f32, std::vector<Row> r
 #define POINT_LAW(name, rows, roundings, ulps) \
     airlight::test::detail::point_law(#name, &airlight::f64::name, &airlight::f32::name, rows, roundings, ulps)
 
+// MODEL_LAW(label, 3, expression of x[0], x[1], x[2], rows, roundings, ulps): an expression with functions of the shared text,
+// for those that take or return structures.
+#define MODEL_LAW(label, arguments, expression, rows, roundings, ulps)                                                                 \
+    airlight::test::PointLaw {                                                                                                         \
+        label, "float(" #expression ")", MODEL_LAW_READING(f64, arguments, expression), MODEL_LAW_READING(f32, arguments, expression), \
+            rows, roundings, ulps                                                                                                      \
+    }
+#define MODEL_LAW_READING(reading, arguments, expression)                                                             \
+    [](std::span<const double> values) {                                                                              \
+        using namespace airlight::reading;                                                                            \
+        Number x[arguments];                                                                                          \
+        for (int i = 0; i < arguments; ++i) x[i] = Number::of(static_cast<Rep>(values[static_cast<std::size_t>(i)])); \
+        return static_cast<double>((expression).value);                                                               \
+    }
+
 }  // namespace airlight::test

@@ -12,5 +12,6 @@ std::vector<PointLaw> shell_laws();
 std::vector<PointLaw> density_laws();
 std::vector<PointLaw> phase_laws();
 std::vector<PointLaw> map_laws();
+std::vector<PointLaw> model_laws();  // of physics/models
 
 }  // namespace airlight::test

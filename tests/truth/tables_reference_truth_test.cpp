@@ -1,7 +1,8 @@
 // The sky from tables against the Monte Carlo reference, in the air of presets: by sun and eye, and across the horizon.
 // The error of a set of directions is sqrt(mean((tables / reference - 1)^2)) over directions and wavelengths, less the
-// reference's own relative variance; where that noise is itself beyond the bound, nothing is shown. Directions within 1 degree of the sun are left out: there the sun's disk smears the forward
-// peak of the aerosol, which tables take for a point's. So is what is darker than 1e-8 of the solar irradiance per steradian.
+// reference's own relative variance; where that noise is itself beyond the bound, nothing is shown. Directions within 1 degree
+// of the sun are left out: there the sun's disk smears the forward peak of the aerosol, which tables take for a point's.
+// So is what is darker than 1e-8 of the solar irradiance per steradian.
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -17,14 +18,14 @@ using namespace airlight;
 namespace {
 
 // Degrees above the geometric horizon, and from the sun's azimuth.
-struct Direction {
+struct HorizonDirection {
     double above_horizon_deg, azimuth_deg;
 };
-const std::vector<Direction> from_within = {{85.0, 0.0},  {50.0, 60.0},  {25.0, 180.0}, {10.0, 20.0},   {4.0, 90.0}, {1.0, 0.0},
-                                            {0.3, 150.0}, {-0.5, 180.0}, {-5.0, 45.0},  {-30.0, 120.0}, {-80.0, 0.0}};
+const std::vector<HorizonDirection> from_within = {{85.0, 0.0},  {50.0, 60.0},  {25.0, 180.0}, {10.0, 20.0},   {4.0, 90.0}, {1.0, 0.0},
+                                                   {0.3, 150.0}, {-0.5, 180.0}, {-5.0, 45.0},  {-30.0, 120.0}, {-80.0, 0.0}};
 // The limb is 2.2 degrees high at 400 km; the disk of the Earth fills 140 degrees.
-const std::vector<Direction> from_space = {{1.5, 0.0},    {1.0, 60.0},  {0.6, 180.0},   {0.3, 20.0},    {0.1, 90.0}, {-0.1, 0.0},
-                                           {-1.0, 150.0}, {-5.0, 45.0}, {-15.0, 180.0}, {-40.0, 120.0}, {-69.0, 0.0}};
+const std::vector<HorizonDirection> from_space = {{1.5, 0.0},    {1.0, 60.0},  {0.6, 180.0},   {0.3, 20.0},    {0.1, 90.0}, {-0.1, 0.0},
+                                                  {-1.0, 150.0}, {-5.0, 45.0}, {-15.0, 180.0}, {-40.0, 120.0}, {-69.0, 0.0}};
 
 double horizon_zenith(Length bottom_radius, Length altitude) {
     return pi - std::asin(bottom_radius.value / (bottom_radius + altitude).value);
@@ -43,7 +44,7 @@ struct Truth {
           wavelengths(truth::sixteen_wavelengths()),
           reference(*Reference::of(atmosphere, wavelengths)),
           sky(truth::preset_sky(name)) {}
-    View view(Length altitude, double sun_deg, Direction d) const {
+    View view(Length altitude, double sun_deg, HorizonDirection d) const {
         return {altitude, std::max(0.0, horizon_zenith(atmosphere.bottom_radius, altitude) - d.above_horizon_deg * deg), sun_deg * deg,
                 d.azimuth_deg * deg};
     }
@@ -95,7 +96,7 @@ void compare(const std::string& name, const std::vector<double>& suns_deg, const
     for (const double sun : suns_deg)
         for (const double eye : eyes_km) {
             Deviation deviation;
-            for (const Direction d : eye > 100.0 ? from_space : from_within) {
+            for (const HorizonDirection d : eye > 100.0 ? from_space : from_within) {
                 const View view = truth.view(eye * km, sun, d);
                 if (angle_to_sun(view) >= 1.0 * deg) deviation.add(truth, view, paths_for(sun, eye));
             }

@@ -1,0 +1,12 @@
+// Every model, one function a file: each tells its card and how it is made.
+#pragma once
+
+#include "models/model.h"
+
+namespace airlight {
+
+Model reference_model();
+Model tables_model();
+Model preetham1999_model();
+
+}  // namespace airlight

@@ -1,0 +1,10 @@
+// The laws of the run-time parts of models (physics/models), one list for a family of models.
+#pragma once
+
+#include "tools/point_laws.h"
+
+namespace airlight::test {
+
+std::vector<PointLaw> analytic_model_laws();  // formulas fitted to skies
+
+}  // namespace airlight::test
