@@ -2,6 +2,7 @@
 // The text is physics/*.glsl; f32.h and a GLSL compiler read the same lines.
 #pragma once
 
+#include "physics/readings/look_up.h"
 #include "physics/readings/macros.h"
 #include "units/quantity.h"
 #include "units/spectral.h"

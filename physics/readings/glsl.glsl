@@ -11,6 +11,10 @@ precision highp sampler3D;
 #define IN(T) in T
 #define OUT(T) out T
 #define INOUT(T) inout T
+#define TABLE_2D(T) sampler2D
+#define TABLE_3D(T) sampler3D
+#define TexCoord2 vec2
+#define TexCoord3 vec3
 
 #define Number float
 #define Length float
@@ -32,3 +36,7 @@ const int N = 4;
 const Length m = 1.0;
 const InverseSolidAngle per_sr = 1.0;
 const Number pi = 3.14159265358979323846;
+
+// Textures of tables are filtered linearly and clamped at their edges.
+vec4 look_up(in sampler2D table, vec2 place) { return textureLod(table, place, 0.0); }
+vec4 look_up(in sampler3D table, vec3 place) { return textureLod(table, place, 0.0); }

@@ -6,3 +6,8 @@
 #define IN(T) const T&
 #define OUT(T) T&
 #define INOUT(T) T&
+
+// A table argument, of spectra: FN RadianceSpectrum sky(IN(TABLE_2D(RadianceSpectrum)) table, ...), read by
+// look_up(table, TexCoord2(u, v)).
+#define TABLE_2D(T) Table2D<T>
+#define TABLE_3D(T) Table3D<T>

@@ -6,5 +6,6 @@
 namespace airlight::test {
 
 std::vector<PointLaw> analytic_model_laws();  // formulas fitted to skies
+std::vector<PointLaw> table_model_laws();     // look-ups in tables computed ahead
 
 }  // namespace airlight::test

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -19,14 +20,21 @@ namespace airlight::test {
 // every reading gets the same input.
 using Row = std::vector<double>;
 
+// A table that a law looks up: four floats a texel, as a texture has; depth 0 is two-dimensional.
+struct LawTable {
+    int width, height, depth;
+    std::vector<float> texels;
+};
+
 struct PointLaw {
     std::string name;
     std::string call;  // the call as GLSL spells it, of a float x[]: "distance_to_top(x[0], x[1], x[2], x[3])"
     std::function<double(std::span<const double>)> f64;
     std::function<double(std::span<const double>)> f32;
     std::vector<Row> rows;
-    double roundings;  // the bound on float's error, in roundings of the arguments and the result
-    int ulps;          // the bound on the GPU's distance from float, in units in the last place
+    double roundings;                   // the bound on float's error, in roundings of the arguments and the result
+    int ulps;                           // the bound on the GPU's distance from float, in units in the last place
+    std::vector<LawTable> tables = {};  // first those of two dimensions, t2[...] in the call, then those of three, t3[...]
 };
 
 // The largest errors of float found over the rows of a law.
@@ -113,6 +121,62 @@ PointLaw point_law(const std::string& name, F64 f64, F32 f32, std::vector<Row> r
         Number x[arguments];                                                                                          \
         for (int i = 0; i < arguments; ++i) x[i] = Number::of(static_cast<Rep>(values[static_cast<std::size_t>(i)])); \
         return static_cast<double>((expression).value);                                                               \
+    }
+
+// The tables of a law in one reading: t2[0] and t3[0] become whatever table of spectra a function takes.
+template <class R, int N>
+class LawTables {
+public:
+    struct Any {
+        const R* values;
+        int width, height, depth;
+        template <class T>
+        operator Table2D<T>() const {
+            return {values, width, height};
+        }
+        template <class T>
+        operator Table3D<T>() const {
+            return {values, width, height, depth};
+        }
+        friend Spectral<R, N, 0, 0, 0, 0> look_up(const Any& table, TexCoord2Of<R> place) {
+            return Table2D<Spectral<R, N, 0, 0, 0, 0>>(table).at(place);
+        }
+        friend Spectral<R, N, 0, 0, 0, 0> look_up(const Any& table, TexCoord3Of<R> place) {
+            return Table3D<Spectral<R, N, 0, 0, 0, 0>>(table).at(place);
+        }
+    };
+    explicit LawTables(const std::vector<LawTable>& tables) : storage_(tables.size()) {
+        for (std::size_t i = 0; i < tables.size(); ++i) {
+            const LawTable& t = tables[i];
+            for (std::size_t k = 0; k < t.texels.size(); k += 4)
+                for (std::size_t w = 0; w < N; ++w) storage_[i].push_back(static_cast<R>(t.texels[k + w % 4]));
+            (t.depth ? t3 : t2).push_back({storage_[i].data(), t.width, t.height, t.depth});
+        }
+    }
+    LawTables(const LawTables&) = delete;
+    LawTables& operator=(const LawTables&) = delete;
+
+private:
+    std::vector<std::vector<R>> storage_;
+
+public:
+    std::vector<Any> t2, t3;
+};
+
+// TABLE_LAW(label, tables, 3, expression of t2[0], t3[0], x[0], x[1], x[2], rows, roundings, ulps): MODEL_LAW with tables.
+#define TABLE_LAW(label, tables, arguments, expression, rows, roundings, ulps)                   \
+    airlight::test::PointLaw {                                                                   \
+        label, "float(" #expression ")", TABLE_LAW_READING(f64, tables, arguments, expression),  \
+            TABLE_LAW_READING(f32, tables, arguments, expression), rows, roundings, ulps, tables \
+    }
+#define TABLE_LAW_READING(reading, tables, arguments, expression)                                                                      \
+    [held = std::make_shared<const LawTables<airlight::reading::Rep, airlight::reading::N>>(tables)](std::span<const double> values) { \
+        using namespace airlight::reading;                                                                                             \
+        [[maybe_unused]] const auto& t2 = held->t2;                                                                                    \
+        [[maybe_unused]] const auto& t3 = held->t3;                                                                                    \
+        Number x[arguments];                                                                                                           \
+        for (int i = 0; i < arguments; ++i) x[i] = Number::of(static_cast<Rep>(values[static_cast<std::size_t>(i)]));                  \
+        return static_cast<double>((expression).value);                                                                                \
     }
 
 }  // namespace airlight::test
