@@ -51,12 +51,35 @@ FN Preetham1999 preetham1999(Number turbidity, Number sun_zenith) {
     return sky;
 }
 
-// Towards a zenith angle of cosine mu >= 0, at an angle of cosine nu from the sun.
-FN ColourYxy preetham1999_sky(IN(Preetham1999) sky, Number mu, Number nu) {
-    Number gamma = angle_of_cosine(nu);
+// Towards a zenith angle of cosine mu >= 0, at an angle gamma from the sun, of cosine nu.
+FN ColourYxy preetham1999_towards(IN(Preetham1999) sky, Number mu, Number nu, Number gamma) {
     ColourYxy colour;
     colour.luminance = sky.scale.luminance * perez(sky.luminance, mu, nu, gamma);
     colour.x = sky.scale.x * perez(sky.x, mu, nu, gamma);
     colour.y = sky.scale.y * perez(sky.y, mu, nu, gamma);
     return colour;
+}
+
+FN ColourYxy preetham1999_sky(IN(Preetham1999) sky, Number mu, Number nu) {
+    return preetham1999_towards(sky, mu, nu, angle_of_cosine(nu));
+}
+
+// Linear amounts of the primaries of sRGB; (1, 1, 1) is its white at a luminance of 1 cd m-2.
+struct LinearSrgb {
+    Number r;
+    Number g;
+    Number b;
+};
+
+// From luminance and chromaticity by XYZ; the matrix is that of the primaries and of D65 (IEC 61966-2-1). Amounts below zero are kept.
+FN LinearSrgb linear_srgb(IN(ColourYxy) colour) {
+    Number scale = colour.luminance / colour.y;
+    Number x = scale * colour.x;
+    Number y = colour.luminance;
+    Number z = scale * (1.0 - colour.x - colour.y);
+    LinearSrgb rgb;
+    rgb.r = 3.2409699 * x - 1.5373832 * y - 0.4986108 * z;
+    rgb.g = 1.8759675 * y - 0.9692436 * x + 0.0415551 * z;
+    rgb.b = 0.0556301 * x - 0.2039770 * y + 1.0569715 * z;
+    return rgb;
 }

@@ -8,5 +8,6 @@ namespace airlight {
 Model reference_model();
 Model tables_model();
 Model preetham1999_model();
+Model hosek2012_model();
 
 }  // namespace airlight

@@ -16,6 +16,7 @@ std::span<const Model> models() {
         reference_model(),
         tables_model(),
         preetham1999_model(),
+        hosek2012_model(),
     };
     return all;
 }

@@ -11,6 +11,7 @@ namespace airlight::test {
 namespace {
 
 std::vector<double> zenith_cosines() { return {1.0, 0.9, 0.5, 0.1, 0.01, 1e-3, 0.0}; }
+std::vector<double> sun_angles() { return {0.0, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0, 1.2, 1.4, 1.5, 1.55, 1.5707}; }
 std::vector<double> sun_zeniths() { return {0.0, 0.1, 0.5, 1.0, 1.4, 1.55, 1.5707}; }
 
 }  // namespace
@@ -18,11 +19,19 @@ std::vector<double> sun_zeniths() { return {0.0, 0.1, 0.5, 1.0, 1.4, 1.55, 1.570
 std::vector<PointLaw> analytic_model_laws() {
     return {
         // A root and a polynomial.
-        POINT_LAW(angle_of_cosine, combinations({cosines()}), 20, 1),
+        POINT_LAW(angle_of_cosine, combinations({cosines()}), 5, 1),
         MODEL_LAW("preetham1999: luminance", 4, preetham1999_sky(preetham1999(x[0], x[1]), x[2], x[3]).luminance,
-                  combinations({{1.7, 2.53, 6.0, 10.0}, sun_zeniths(), zenith_cosines(), cosines()}), 100, 100),
+                  combinations({{1.7, 2.53, 6.0, 10.0}, sun_zeniths(), zenith_cosines(), cosines()}), 12, 100),
         MODEL_LAW("preetham1999: x", 4, preetham1999_sky(preetham1999(x[0], x[1]), x[2], x[3]).x,
-                  combinations({{1.7, 2.53, 6.0, 10.0}, sun_zeniths(), zenith_cosines(), cosines()}), 100, 100),
+                  combinations({{1.7, 2.53, 6.0, 10.0}, sun_zeniths(), zenith_cosines(), cosines()}), 12, 100),
+        // A cube root near the horizon, of a difference.
+        POINT_LAW(hosek2012_place, combinations({sun_angles()}), 2, 20),
+        MODEL_LAW("hosek2012: curve", 3, quintic_bezier(x[0], 0.5 * x[0], x[1], 2.0 * x[1], x[0] + x[1], x[1], x[2]),
+                  combinations({{0.5, 1.0, 7.0}, {0.3, 2.0}, {0.0, 0.1, 0.3, 0.5, 0.9, 1.0}}), 5, 4),
+        // The exponential of -500 at the horizon.
+        POINT_LAW(hosek2012_gradation, combinations({{-1.2, -0.2}, {-5.0, -0.4}, zenith_cosines()}), 1, 20),
+        POINT_LAW(hosek2012_aureole,
+                  combinations({{2.0}, {-4.0, -1.0}, {0.3}, {0.01}, {0.2, 0.75, 1.3}, cosines(), {0.0, 0.01, 0.5, 1.5, 3.1}}), 3, 20),
     };
 }
 

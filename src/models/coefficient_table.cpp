@@ -1,0 +1,90 @@
+#include "models/coefficient_table.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/files.h"
+#include "units/text.h"
+
+namespace airlight {
+
+namespace {
+
+struct ShippedFit {
+    std::string_view name, text;
+};
+constexpr ShippedFit shipped[] = {
+#include "shipped_fits.inc"
+    {"", ""}  // an array has at least one
+};
+
+constexpr std::size_t largest_file = std::size_t{64} << 20;
+
+std::vector<std::string> cells_of(std::string_view line) {
+    std::vector<std::string> cells(1);
+    for (const char c : line) {
+        if (c == ',') cells.emplace_back();
+        else cells.back() += c;
+    }
+    return cells;
+}
+
+// The next line without its end; the text is shortened by it.
+std::string_view take_line(std::string_view& text) {
+    const std::size_t end = text.find('\n');
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    return line;
+}
+
+}  // namespace
+
+Result<CoefficientTable> CoefficientTable::parse(std::string_view text, std::string_view where, std::span<const std::string_view> columns) {
+    CoefficientTable table;
+    table.where_ = where;
+    while (!text.empty()) {
+        const std::string_view line = take_line(text);
+        ++table.lines_;
+        if (line.empty() || line.front() == '#') continue;
+        std::vector<std::string> cells = cells_of(line);
+        const std::string place = fmt::format("{}:{}", where, table.lines_);
+        if (table.columns_.empty()) {
+            if (!std::equal(cells.begin(), cells.end(), columns.begin(), columns.end()))
+                return Error{place,
+                             fmt::format("the columns are \"{}\": they must be \"{}\"", line.substr(0, 120), fmt::join(columns, ",")), ""};
+            table.columns_ = std::move(cells);
+            continue;
+        }
+        if (cells.size() != columns.size())
+            return Error{place, fmt::format("has {} cells: it must have {}", cells.size(), columns.size()), ""};
+        table.rows_.push_back({table.lines_, std::move(cells)});
+    }
+    if (table.columns_.empty()) return Error{std::string(where), "has no line that names its columns", ""};
+    return table;
+}
+
+Result<double> CoefficientTable::number(std::size_t row, std::size_t column) const {
+    const Result<double> value = parse_number(rows_[row].cells[column]);
+    if (!value) return error(row, fmt::format("{} = \"{}\" is not a finite number", columns_[column], rows_[row].cells[column]));
+    return *value;
+}
+
+Error CoefficientTable::error(std::size_t row, std::string what, std::string remedy) const {
+    return {fmt::format("{}:{}", where_, row < rows_.size() ? rows_[row].line : lines_), std::move(what), std::move(remedy)};
+}
+
+Result<CoefficientText> coefficient_text(std::string_view model, const std::filesystem::path& given, std::string_view what_it_is) {
+    if (!given.empty()) {
+        Result<std::string> text = read_file(given, largest_file);
+        if (!text) return at("--data", text.error());
+        return CoefficientText{std::move(*text), given.string()};
+    }
+    for (const ShippedFit& fit : shipped)
+        if (fit.name == model) return CoefficientText{std::string(fit.text), fmt::format("{}_fit.csv", model)};
+    return Error{std::string(model), "has no coefficients of its own here", fmt::format("Give {} by --data <file>.", what_it_is)};
+}
+
+}  // namespace airlight
