@@ -1,12 +1,13 @@
 # Two commands do everything on a fresh Debian 12: `make demo` and `make test`. The rest is for those who work on it.
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build demo test truth bench fuzz check sanitize install clean
+.PHONY: help setup build demo test truth models bench fuzz check sanitize install clean
 
 help:
 	@echo 'make demo      install what is missing, build, and compute a real sky; names the files it wrote'
 	@echo 'make test      the same set-up, then every test'
 	@echo 'make truth     every row of the independent figures in ../shared/reference, ending in a verdict (about ten minutes)'
+	@echo 'make models    every model against the reference: docs/models.md, and out/models/report.html (about twelve minutes; goes on if stopped)'
 	@echo 'make bench     benchmarks'
 	@echo 'make fuzz      fuzz every parser of files from strangers, FUZZ_SECONDS=60 each'
 	@echo 'make check     a second compiler, format, clang-tidy, every header alone'
@@ -32,6 +33,10 @@ test: build
 truth: build
 	@failed=0; for t in build/release/tests/truth/truth_*; do [ -x $$t ] && { echo "$$t"; AIRLIGHT_TRUTH=full $$t --minimal || failed=1; }; done; \
 	if [ $$failed = 0 ]; then echo 'verdict: agrees with all independent figures that are present'; else echo 'verdict: DISAGREES, see above'; exit 1; fi
+
+models: build
+	build/release/apps/airlight/airlight compare --atmosphere earth-clear,earth-hazy --eyes-m 0,2000,10000,30000,400000 \
+	  --suns 0,30,60,75,85,90,96 --paths 4096 --table docs/models.md -o out/models
 
 bench: build
 	tools/run-benchmarks build/release/benchmarks

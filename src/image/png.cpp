@@ -134,19 +134,25 @@ Error unreadable(const std::filesystem::path& path, const Failure& failure) {
 
 }  // namespace
 
-Result<Done> write_png(const std::filesystem::path& path, const Image& display, PngBits bits) {
+Result<std::string> png_bytes(const Image& display, PngBits bits) {
     assert(display.channels == 1 || display.channels == 3);
     const std::vector<std::string> names =
         display.channels == 3 ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"grey"};
     const Result<Done> checked = check_values(display, names, 0.0f, 1.0f, "a display value lies between 0 and 1");
-    if (!checked) return at(path.string(), checked.error());
+    if (!checked) return checked.error();
     const std::vector<std::uint8_t> stored = stored_levels(display, bits);
     std::string file;
     Failure failure;
     const Writer writer(failure);
     if (!encode(writer.png, writer.info, failure, display, static_cast<int>(bits), stored, file))
-        return Error{path.string(), fmt::format("cannot be written as PNG: {}", failure.message), ""};
-    return write_file(path, file);
+        return Error{"", fmt::format("cannot be written as PNG: {}", failure.message), ""};
+    return file;
+}
+
+Result<Done> write_png(const std::filesystem::path& path, const Image& display, PngBits bits) {
+    const Result<std::string> file = png_bytes(display, bits);
+    if (!file) return at(path.string(), file.error());
+    return write_file(path, *file);
 }
 
 Result<PngLevels> read_png(const std::filesystem::path& path) {

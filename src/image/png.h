@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "image/image.h"
@@ -19,6 +20,9 @@ enum class PngBits { eight = 8, sixteen = 16 };
 // has no bands. 0 and 1 stay exact.
 // Fails, naming the path and the pixel, if a value is not within [0, 1]; naming the path, if it cannot be written.
 Result<Done> write_png(const std::filesystem::path& path, const Image& display, PngBits bits = PngBits::eight);
+
+// The bytes of that file, for those who put it elsewhere than in a folder.
+Result<std::string> png_bytes(const Image& display, PngBits bits = PngBits::eight);
 
 // The levels of a PNG file as stored, shape [height][width][channels]: encoded values, not light.
 struct PngLevels {

@@ -1,0 +1,255 @@
+#include "eval/models_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "eval/report.h"
+
+namespace airlight {
+
+namespace {
+
+using Wanted = std::function<bool(const Condition&)>;
+
+constexpr double end_of_day_deg = 85.0;
+constexpr double frame_seconds = 1.0 / 30.0;
+
+// Suns apart by what lights the air: whole columns, long columns, the air above the Earth's shadow.
+struct SunRange {
+    const char* name;
+    double low_deg, high_deg;
+    bool holds(const Condition& c) const { return c.sun_zenith_deg > low_deg && c.sun_zenith_deg <= high_deg; }
+};
+constexpr SunRange sun_ranges[] = {
+    {"high sun, to 60°", -1.0, 60.0}, {"low sun, to 85°", 60.0, end_of_day_deg}, {"twilight, beyond 85°", end_of_day_deg, 180.0}};
+
+std::vector<double> altitudes_m(const AirRun& air) {
+    std::set<double> altitudes;
+    for (const SkyTruth& truth : air.truths) altitudes.insert(truth.condition.altitude.in(m));
+    return {altitudes.begin(), altitudes.end()};
+}
+
+std::string altitude_text(double altitude_m) {
+    return altitude_m < 1000.0 ? fmt::format("{:g} m", altitude_m) : fmt::format("{:g} km", altitude_m / 1000.0);
+}
+
+// On the lowest eye by day: what nearly every model answers, so that all are ordered by the same sky.
+Wanted common_ground(const AirRun& air) {
+    const double lowest = altitudes_m(air).front();
+    return [lowest](const Condition& c) { return c.altitude.in(m) == lowest && c.sun_zenith_deg <= end_of_day_deg; };
+}
+
+std::string percent_or_dash(const Summary& s) {
+    if (s.answered == 0) return "–";
+    return percent_text(s.relative_rmse) + (s.answered < s.asked ? "*" : "");
+}
+
+// Models that answer the common ground, the nearest first; then the others.
+std::vector<const ModelRun*> ordered(const AirRun& air) {
+    std::vector<const ModelRun*> models;
+    for (const ModelRun& model : air.models) models.push_back(&model);
+    const auto place = [&](const ModelRun* model) {
+        const Summary s = summary(air, *model, common_ground(air));
+        return s.answered == 0 ? 1e300 : s.relative_rmse;
+    };
+    std::stable_sort(models.begin(), models.end(), [&](const ModelRun* a, const ModelRun* b) { return place(a) < place(b); });
+    return models;
+}
+
+std::string orders_text(Orders orders) {
+    switch (orders) {
+        case Orders::none:
+            return "none";
+        case Orders::single:
+            return "single";
+        case Orders::several:
+            return "several";
+    }
+    return "";
+}
+
+std::string order_table(const AirRun& air) {
+    const std::vector<double> eyes = altitudes_m(air);
+    std::string text = "| model | orders | by day |";
+    std::string rule = "|---|---|---:|";
+    for (const double eye : eyes) {
+        text += fmt::format(" {}, all suns |", altitude_text(eye));
+        rule += "---:|";
+    }
+    text += " noise | luminance | u′v′ | ΔE₀₀ | picture, one core | ahead, core time | memory |\n" + rule +
+            "---:|---:|---:|---:|---:|---:|---:|\n";
+    for (const ModelRun* model : ordered(air)) {
+        const Summary day = summary(air, *model, common_ground(air));
+        text += fmt::format("| `{}` | {} | {} |", model->card.key, orders_text(orders_of(model->card)), percent_or_dash(day));
+        for (const double eye : eyes)
+            text +=
+                fmt::format(" {} |", percent_or_dash(summary(air, *model, [eye](const Condition& c) { return c.altitude.in(m) == eye; })));
+        if (day.answered > 0)
+            text += fmt::format(" {} | {} | {:.4f} | {:.2f} |", percent_text(day.noise), percent_text(day.luminance_rmse),
+                                day.chromaticity_rmse, day.colour_difference);
+        else text += " | | | |";
+        text += model->asking ? fmt::format(" {} |", time_text(picture_seconds(*model->asking))) : " – |";
+        text += model->refusal.empty() ? fmt::format(" {} | {} |\n", time_text(model->making.core_seconds), bytes_text(model->making.bytes))
+                                       : " – | – |\n";
+    }
+    return text;
+}
+
+// Errors on the common ground of the models with these orders, increasing.
+std::vector<double> errors_of(const AirRun& air, Orders orders) {
+    std::vector<double> errors;
+    for (const ModelRun& model : air.models) {
+        const Summary s = summary(air, model, common_ground(air));
+        if (orders_of(model.card) == orders && s.answered > 0) errors.push_back(s.relative_rmse);
+    }
+    std::sort(errors.begin(), errors.end());
+    return errors;
+}
+
+std::string range_text(const std::vector<double>& errors) {
+    if (errors.empty()) return "none answers";
+    return fmt::format("{} to {} %, the middle one {} %", percent_text(errors.front()), percent_text(errors.back()),
+                       percent_text(errors[errors.size() / 2]));
+}
+
+std::string names(const std::vector<const ModelRun*>& models) {
+    std::string text;
+    for (const ModelRun* model : models) text += fmt::format("{}`{}`", text.empty() ? "" : ", ", model->card.key);
+    return text.empty() ? "none" : text;
+}
+
+// Why the order is as it is, by what the comparison itself found.
+std::string order_explained(const AirRun& air) {
+    std::string text = fmt::format("Models that carry several orders of scattering are off by {}; those of single scattering by {}.",
+                                   range_text(errors_of(air, Orders::several)), range_text(errors_of(air, Orders::single)));
+    std::vector<const ModelRun*> lucky, poor, live;
+    const Summary once = air.single ? summary(air, *air.single, common_ground(air)) : Summary{};
+    for (const ModelRun* model : ordered(air)) {
+        const Summary s = summary(air, *model, common_ground(air));
+        if (s.answered == 0) continue;
+        const Orders orders = orders_of(model->card);
+        if (once.answered > 0 && orders == Orders::single && s.relative_rmse < once.relative_rmse) lucky.push_back(model);
+        if (once.answered > 0 && orders == Orders::several && s.relative_rmse > once.relative_rmse) poor.push_back(model);
+        if (model->asking && picture_seconds(*model->asking) <= frame_seconds) live.push_back(model);
+    }
+    if (once.answered > 0) {
+        text += fmt::format(
+            " The cause is in the truth itself: light that was scattered once alone, by the reference and so without any other error, is "
+            "off by {} %. "
+            "That is the floor of single scattering, and what is above it is a model's own.",
+            percent_text(once.relative_rmse));
+        text +=
+            fmt::format(" Single-scattering models below the floor, by constants that make up for the missing light: {}.", names(lucky));
+        text += fmt::format(
+            " Models of several orders that are worse than exact single scattering, by their approximations or because they are fitted to "
+            "other air: {}.",
+            names(poor));
+    }
+    text += fmt::format(
+        "\n\nReal-time here is a picture of 200 x 100 directions for a new eye and sun within {:.0f} ms on one core: {}; the nearest "
+        "first.",
+        1000.0 * frame_seconds, names(live));
+    return text + "\n";
+}
+
+std::string range_line(const ModelCard& card) {
+    const std::string eye = card.highest_eye < anywhere
+                                ? (card.highest_eye > 0.0 * m ? "eyes to " + altitude_text(card.highest_eye.in(m)) : "eyes on the ground")
+                                : "eyes anywhere";
+    return fmt::format("{}, sun to {:g}°, views to {:g}°, {}", eye, card.highest_sun_zenith_deg, card.highest_view_zenith_deg,
+                       card.aerial_perspective ? "with aerial perspective" : "no aerial perspective");
+}
+
+std::string cost_line(const ModelRun& model) {
+    if (!model.refusal.empty()) return "";
+    std::string text =
+        fmt::format("Cost: {} of core time ahead, {} kept", time_text(model.making.core_seconds), bytes_text(model.making.bytes));
+    if (model.asking)
+        text += fmt::format("; {} before the first direction of an eye and a sun, {} a direction", time_text(model.asking->dome_seconds),
+                            time_text(model.asking->direction_seconds));
+    return text + ".\n";
+}
+
+std::string error_table(const AirRun& air, const ModelRun& model) {
+    const std::vector<double> eyes = altitudes_m(air);
+    std::string text = fmt::format("\n| {} |", air.air.name), rule = "|---|";
+    for (const double eye : eyes) {
+        text += fmt::format(" {} |", altitude_text(eye));
+        rule += "---:|";
+    }
+    text += "\n" + rule + "\n";
+    for (const SunRange& range : sun_ranges) {
+        if (std::none_of(air.truths.begin(), air.truths.end(), [&](const SkyTruth& t) { return range.holds(t.condition); })) continue;
+        text += fmt::format("| {} |", range.name);
+        for (const double eye : eyes)
+            text += fmt::format(" {} |", percent_or_dash(summary(
+                                             air, model, [&](const Condition& c) { return c.altitude.in(m) == eye && range.holds(c); })));
+        text += "\n";
+    }
+    return text;
+}
+
+// The reasons for which a model does not answer, each once.
+std::string refusals(const ModelRun& model) {
+    if (!model.refusal.empty()) return "Not made: " + model.refusal.substr(0, model.refusal.find('\n')) + "\n";
+    std::set<std::string> reasons;
+    for (const Cell& cell : model.cells)
+        if (!cell.verdict.refusal.empty()) reasons.insert(cell.verdict.refusal);
+    std::string text;
+    for (const std::string& reason : reasons) text += (text.empty() ? "It " : "; it ") + reason;
+    return text.empty() ? "" : text + ".\n";
+}
+
+std::string model_section(const Comparison& comparison, std::size_t index) {
+    const ModelRun& first = comparison.airs.front().models[index];
+    const ModelCard& c = first.card;
+    std::string text = fmt::format("### {}\n{}. Scattering: {}. Ahead: {}; memory: {}. Answers {}.{}\n", c.key, c.approach, c.scattering,
+                                   c.precomputation, c.memory, range_line(c), c.paper.empty() ? "" : fmt::format(" [{}]", c.paper));
+    text += cost_line(first) + refusals(first);
+    if (first.refusal.empty())
+        for (const AirRun& air : comparison.airs) text += error_table(air, air.models[index]);
+    return text + "\n";
+}
+
+std::string head(const Comparison& comparison, const std::string& command) {
+    std::string suns, eyes;
+    std::set<double> sun_set;
+    for (const SkyTruth& truth : comparison.airs.front().truths) sun_set.insert(truth.condition.sun_zenith_deg);
+    for (const double sun : sun_set) suns += fmt::format("{}{:g}°", suns.empty() ? "" : ", ", sun);
+    for (const double eye : altitudes_m(comparison.airs.front())) eyes += fmt::format("{}{}", eyes.empty() ? "" : ", ", altitude_text(eye));
+    return fmt::format(
+        "# Every model of the sky against the truth\nWritten by `{}`, all of it; how the figures are made: `src/eval`.\n\n"
+        "The truth is {} ({} paths a direction by day, 24 times as many with the sun beyond 80°, 96 times from space in twilight), at {} "
+        "wavelengths from {:g} to {:g} nm, "
+        "with the eye at {} and the sun {} from the zenith. Percentages are root-mean-square relative errors over directions above the "
+        "horizon (twelve from the zenith to 0.3°; from space six "
+        "across the limb) and wavelengths, less the truth's own variance, which is the column of noise. Means over conditions are "
+        "quadratic, over those that a model answers: * says that "
+        "there are others, – that there are none. By day is the lowest eye with the sun up to {:g}°, which nearly every model answers: by "
+        "it they are in order, and of it are noise, "
+        "luminance (relative, %), chromaticity (u′v′) and CIEDE2000.\n\n",
+        command, truth_text(comparison), comparison.paths, comparison.wavelengths.size(), comparison.wavelengths.first().in(nm),
+        comparison.wavelengths.last().in(nm), eyes, suns, end_of_day_deg);
+}
+
+}  // namespace
+
+Orders orders_of(const ModelCard& card) {
+    const auto says = [&](std::string_view word) { return card.scattering.find(word) != std::string_view::npos; };
+    if (says("orders") || says("multiple") || says("second")) return Orders::several;
+    return says("single") ? Orders::single : Orders::none;
+}
+
+std::string models_page(const Comparison& comparison, const std::string& command) {
+    std::string text = head(comparison, command);
+    for (const AirRun& air : comparison.airs)
+        text += fmt::format("## In order: {}\n{}\n{}\n", air.air.name, order_explained(air), order_table(air));
+    text += "## Model by model, in %\n";
+    for (std::size_t i = 0; i < comparison.airs.front().models.size(); ++i) text += model_section(comparison, i);
+    return text;
+}
+
+}  // namespace airlight
