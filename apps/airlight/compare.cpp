@@ -228,7 +228,7 @@ Command compare_command(CLI::App& airlight) {
     app->add_option("--models", given->models, "keys of `airlight models`, with commas (default: all but the reference)")
         ->option_text("<keys>")
         ->delimiter(',');
-    app->add_option("--against", given->against, "reference, tables, or measured:FILE (docs: head of src/eval/measured_sky.h)")
+    app->add_option("--against", given->against, "reference, tables, or measured:FILE (CSV, see src/eval/measured_sky.h)")
         ->option_text("<truth>")
         ->capture_default_str();
     add_condition_options(*app, *given);
@@ -236,7 +236,8 @@ Command compare_command(CLI::App& airlight) {
         ->option_text("<grid>")
         ->capture_default_str();
     app->add_option("--band", given->band, "measured skies: wavelengths that count, in nm")->option_text("<nm:nm>")->capture_default_str();
-    app->add_option("--paths", given->paths, "reference: paths a direction by day; 24 times as many in twilight, 96 times from space")
+    app->add_option("--paths", given->paths,
+                    "reference: paths a direction; 24 times as many with the sun beyond 80 deg, 96 times from space beyond 85")
         ->option_text("<n>")
         ->capture_default_str();
     app->add_option("--seed", given->seed, "reference: the same seed gives the same digits")->option_text("<n>")->capture_default_str();

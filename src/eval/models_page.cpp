@@ -110,7 +110,7 @@ std::vector<double> errors_of(const AirRun& air, Orders orders) {
 }
 
 std::string range_text(const std::vector<double>& errors) {
-    if (errors.empty()) return "none answers";
+    if (errors.size() < 2) return errors.empty() ? "nothing, for there is none that answers" : percent_text(errors.front()) + " %";
     return fmt::format("{} to {} %, the middle one {} %", percent_text(errors.front()), percent_text(errors.back()),
                        percent_text(errors[errors.size() / 2]));
 }
@@ -193,25 +193,31 @@ std::string error_table(const AirRun& air, const ModelRun& model) {
 }
 
 // The reasons for which a model does not answer, each once.
-std::string refusals(const ModelRun& model) {
-    if (!model.refusal.empty()) return "Not made: " + model.refusal.substr(0, model.refusal.find('\n')) + "\n";
+std::string refusals(const Comparison& comparison, std::size_t index) {
     std::set<std::string> reasons;
-    for (const Cell& cell : model.cells)
-        if (!cell.verdict.refusal.empty()) reasons.insert(cell.verdict.refusal);
+    for (const AirRun& air : comparison.airs) {
+        const ModelRun& model = air.models[index];
+        if (!model.refusal.empty()) reasons.insert(fmt::format("{}: {}", air.air.name, model.refusal.substr(0, model.refusal.find('\n'))));
+        for (const Cell& cell : model.cells)
+            if (!cell.verdict.refusal.empty()) reasons.insert(cell.verdict.refusal);
+    }
     std::string text;
-    for (const std::string& reason : reasons) text += (text.empty() ? "It " : "; it ") + reason;
+    for (const std::string& reason : reasons) text += fmt::format("{}{}", text.empty() ? "Where it has no figure: " : "; ", reason);
     return text.empty() ? "" : text + ".\n";
 }
 
 std::string model_section(const Comparison& comparison, std::size_t index) {
-    const ModelRun& first = comparison.airs.front().models[index];
-    const ModelCard& c = first.card;
+    const ModelCard& c = comparison.airs.front().models[index].card;
     std::string text = fmt::format("### {}\n{}. Scattering: {}. Ahead: {}; memory: {}. Answers {}.{}\n", c.key, c.approach, c.scattering,
                                    c.precomputation, c.memory, range_line(c), c.paper.empty() ? "" : fmt::format(" [{}]", c.paper));
-    text += cost_line(first) + refusals(first);
-    if (first.refusal.empty())
-        for (const AirRun& air : comparison.airs) text += error_table(air, air.models[index]);
-    return text + "\n";
+    std::string cost, tables;
+    for (const AirRun& air : comparison.airs) {
+        const ModelRun& model = air.models[index];
+        if (!model.asking) continue;
+        if (cost.empty()) cost = cost_line(model);
+        tables += error_table(air, model);
+    }
+    return text + cost + refusals(comparison, index) + tables + "\n";
 }
 
 std::string head(const Comparison& comparison, const std::string& command) {
