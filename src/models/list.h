@@ -9,5 +9,7 @@ Model reference_model();
 Model tables_model();
 Model preetham1999_model();
 Model hosek2012_model();
+Model bruneton2008_model();
+Model hillaire2020_model();
 
 }  // namespace airlight

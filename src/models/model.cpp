@@ -12,12 +12,16 @@
 namespace airlight {
 
 std::span<const Model> models() {
+    // clang-format off: one a line
     static const Model all[] = {
         reference_model(),
         tables_model(),
         preetham1999_model(),
+        bruneton2008_model(),
         hosek2012_model(),
+        hillaire2020_model(),
     };
+    // clang-format on
     return all;
 }
 

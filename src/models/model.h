@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "models/bruneton2008.h"
 #include "sky/sky.h"
 #include "transport/table_cache.h"
 
@@ -39,6 +40,7 @@ struct ModelOptions {
     BakeSettings bake = {};
     CacheSettings cache = {};
     ReferenceSettings reference = {};
+    Bruneton2008Settings bruneton2008 = {};
     Progress progress = {};
 };
 

@@ -19,6 +19,8 @@ class SpectralPhase {
 public:
     SpectralPhase(const PhaseFunction& phase, std::span<const Wavelength, pack_size> wavelengths);
 
+    bool is_rayleigh() const { return kind_ == Kind::rayleigh; }
+
     // Its values at the cosine `nu` of the scattering angle, -1 <= nu <= 1.
     f64::PhaseSpectrum at(double nu) const;
 
