@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <system_error>
 #include <thread>
 
@@ -154,7 +155,7 @@ private:
         run_.single = ModelRun{.card = find_model("reference")->card};
         for (const SkyTruth& truth : run_.truths) {
             if (stop.stop_requested()) return interrupted();
-            const bool by_day = truth.condition.sun_zenith_deg <= 85.0;
+            const bool by_day = truth.condition.sun_zenith_deg <= end_of_day_deg;
             run_.single->cells.push_back({.verdict = by_day ? judged(sky, truth, run_.air.atmosphere.sun, weights_) : Verdict{}});
         }
         return Done{};
@@ -350,6 +351,24 @@ Summary summary(const AirRun& air, const ModelRun& model, const std::function<bo
         *mean = std::sqrt(*mean / n);
     s.colour_difference /= n;
     return s;
+}
+
+std::function<bool(const Condition&)> common_ground(const AirRun& air) {
+    Length lowest = anywhere;
+    for (const SkyTruth& truth : air.truths) lowest = std::min(lowest, truth.condition.altitude);
+    return [lowest](const Condition& c) { return c.altitude == lowest && c.sun_zenith_deg <= end_of_day_deg; };
+}
+
+std::vector<std::size_t> nearest_first(const AirRun& air) {
+    std::vector<std::size_t> order;
+    std::vector<double> errors;
+    for (const ModelRun& model : air.models) {
+        const Summary s = summary(air, model, common_ground(air));
+        errors.push_back(s.answered > 0 ? s.relative_rmse : std::numeric_limits<double>::infinity());
+        order.push_back(order.size());
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return errors[a] < errors[b]; });
+    return order;
 }
 
 }  // namespace airlight

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -86,8 +87,16 @@ struct Summary {
     int asked = 0, answered = 0;  // conditions
     double relative_rmse = 0.0, noise = 0.0, luminance_rmse = 0.0, chromaticity_rmse = 0.0, colour_difference = 0.0, spectral_rmse = 0.0;
 };
+constexpr double end_of_day_deg = 85.0;  // of the sun's zenith angle
+
 // Above the horizon, of conditions for which `wanted` is true; a condition counts as answered if any direction is.
 Summary summary(
     const AirRun& air, const ModelRun& model, const std::function<bool(const Condition&)>& wanted = [](const Condition&) { return true; });
+
+// On the lowest eye by day (sun to 85 degrees): what nearly every model answers, so that all are ordered by the same sky.
+std::function<bool(const Condition&)> common_ground(const AirRun& air);
+
+// Models by their error on the common ground, the nearest first; then those that do not answer there.
+std::vector<std::size_t> nearest_first(const AirRun& air);
 
 }  // namespace airlight

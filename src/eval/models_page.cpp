@@ -12,9 +12,6 @@ namespace airlight {
 
 namespace {
 
-using Wanted = std::function<bool(const Condition&)>;
-
-constexpr double end_of_day_deg = 85.0;
 constexpr double frame_seconds = 1.0 / 30.0;
 
 // Suns apart by what lights the air: whole columns, long columns, the air above the Earth's shadow.
@@ -36,26 +33,14 @@ std::string altitude_text(double altitude_m) {
     return altitude_m < 1000.0 ? fmt::format("{:g} m", altitude_m) : fmt::format("{:g} km", altitude_m / 1000.0);
 }
 
-// On the lowest eye by day: what nearly every model answers, so that all are ordered by the same sky.
-Wanted common_ground(const AirRun& air) {
-    const double lowest = altitudes_m(air).front();
-    return [lowest](const Condition& c) { return c.altitude.in(m) == lowest && c.sun_zenith_deg <= end_of_day_deg; };
-}
-
 std::string percent_or_dash(const Summary& s) {
     if (s.answered == 0) return "–";
     return percent_text(s.relative_rmse) + (s.answered < s.asked ? "*" : "");
 }
 
-// Models that answer the common ground, the nearest first; then the others.
 std::vector<const ModelRun*> ordered(const AirRun& air) {
     std::vector<const ModelRun*> models;
-    for (const ModelRun& model : air.models) models.push_back(&model);
-    const auto place = [&](const ModelRun* model) {
-        const Summary s = summary(air, *model, common_ground(air));
-        return s.answered == 0 ? 1e300 : s.relative_rmse;
-    };
-    std::stable_sort(models.begin(), models.end(), [&](const ModelRun* a, const ModelRun* b) { return place(a) < place(b); });
+    for (const std::size_t i : nearest_first(air)) models.push_back(&air.models[i]);
     return models;
 }
 
@@ -123,8 +108,11 @@ std::string names(const std::vector<const ModelRun*>& models) {
 
 // Why the order is as it is, by what the comparison itself found.
 std::string order_explained(const AirRun& air) {
-    std::string text = fmt::format("Models that carry several orders of scattering are off by {}; those of single scattering by {}.",
-                                   range_text(errors_of(air, Orders::several)), range_text(errors_of(air, Orders::single)));
+    std::string text = fmt::format(
+        "Models that compute several orders of scattering are off by {}; those of single scattering by {}; formulas that were fitted to "
+        "such light by {}.",
+        range_text(errors_of(air, Orders::several)), range_text(errors_of(air, Orders::single)),
+        range_text(errors_of(air, Orders::fitted)));
     std::vector<const ModelRun*> lucky, poor, live;
     const Summary once = air.single ? summary(air, *air.single, common_ground(air)) : Summary{};
     for (const ModelRun* model : ordered(air)) {
@@ -132,7 +120,8 @@ std::string order_explained(const AirRun& air) {
         if (s.answered == 0) continue;
         const Orders orders = orders_of(model->card);
         if (once.answered > 0 && orders == Orders::single && s.relative_rmse < once.relative_rmse) lucky.push_back(model);
-        if (once.answered > 0 && orders == Orders::several && s.relative_rmse > once.relative_rmse) poor.push_back(model);
+        if (once.answered > 0 && (orders == Orders::several || orders == Orders::fitted) && s.relative_rmse > once.relative_rmse)
+            poor.push_back(model);
         if (model->asking && picture_seconds(*model->asking) <= frame_seconds) live.push_back(model);
     }
     if (once.answered > 0) {
@@ -142,7 +131,8 @@ std::string order_explained(const AirRun& air) {
             "That is the floor of single scattering, and what is above it is a model's own.",
             percent_text(once.relative_rmse));
         text +=
-            fmt::format(" Single-scattering models below the floor, by constants that make up for the missing light: {}.", names(lucky));
+            fmt::format(" Single-scattering models below the floor, by constants or approximations that make up for the missing light: {}.",
+                        names(lucky));
         text += fmt::format(
             " Models of several orders that are worse than exact single scattering, by their approximations or because they are fitted to "
             "other air: {}.",
@@ -245,6 +235,7 @@ std::string head(const Comparison& comparison, const std::string& command) {
 
 Orders orders_of(const ModelCard& card) {
     const auto says = [&](std::string_view word) { return card.scattering.find(word) != std::string_view::npos; };
+    if (says("fit")) return Orders::fitted;
     if (says("orders") || says("multiple") || says("second")) return Orders::several;
     return says("single") ? Orders::single : Orders::none;
 }

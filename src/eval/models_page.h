@@ -8,8 +8,8 @@
 
 namespace airlight {
 
-// Which orders of scattering a card speaks of.
-enum class Orders { none, single, several };
+// Which orders of scattering a card says that the model computes; of fitted formulas, that they are fitted.
+enum class Orders { none, single, several, fitted };
 Orders orders_of(const ModelCard& card);
 
 // Markdown. `command` is what writes the page.

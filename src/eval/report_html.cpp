@@ -22,8 +22,6 @@ std::string_view page_file(std::string_view name) {
     return std::find_if(std::begin(page_files), std::end(page_files), [&](const PageFile& f) { return f.name == name; })->text;
 }
 
-constexpr double end_of_day_deg = 85.0;
-
 // A cell that sorts by a number; what has none sorts last.
 std::string number_cell(double value, const std::string& text) { return fmt::format("<td data-v=\"{:.6g}\">{}</td>", value, text); }
 std::string no_cell(std::string_view text = "–") { return fmt::format("<td data-v=\"1e300\">{}</td>", text); }
@@ -68,7 +66,7 @@ std::string summary_table(const AirRun& air, std::size_t index) {
         "<div class=\"scroll\"><table class=\"sorts\"><thead><tr><th>model</th><th>by day<br>%</th><th>twilight<br>%</th>"
         "<th>spectral<br>mW m⁻² sr⁻¹ nm⁻¹</th><th>luminance<br>%</th><th>u′v′</th><th>ΔE₀₀</th><th>answered</th><th>ahead<br>core time</th>"
         "<th>memory</th><th>a direction</th><th>200 × 100<br>picture</th><th class=\"words\">scattering</th></tr></thead><tbody>\n";
-    for (const ModelRun& model : air.models) html += summary_row(air, model, anchor_of(index, model));
+    for (const std::size_t i : nearest_first(air)) html += summary_row(air, air.models[i], anchor_of(index, air.models[i]));
     return html + "</tbody></table></div>\n";
 }
 
@@ -84,7 +82,8 @@ std::string heat_table(const AirRun& air, std::size_t index) {
     std::string html = "<div class=\"scroll\"><table class=\"sorts\"><thead><tr><th>model</th>";
     for (const SkyTruth& truth : air.truths) html += fmt::format("<th>{}</th>", html_text(truth.name));
     html += "</tr></thead><tbody>\n";
-    for (const ModelRun& model : air.models) {
+    for (const std::size_t m : nearest_first(air)) {
+        const ModelRun& model = air.models[m];
         html += fmt::format("<tr><th scope=\"row\" data-v=\"{0}\"><a href=\"#{1}\">{0}</a></th>", model.card.key, anchor_of(index, model));
         for (std::size_t i = 0; i < air.truths.size(); ++i) {
             if (i >= model.cells.size() || !model.cells[i].verdict.sky) {
@@ -130,8 +129,10 @@ std::string pictures(const AirRun& air) {
 
 void add_numbers(std::string& html, std::string_view side, const std::optional<Score>& score) {
     if (!score) return;
-    html += fmt::format("<dt>{}</dt><dd><b>{} %</b> (truth ±{} %), bias {:+.1f} %, {} of {} directions<br>", side,
-                        percent_text(score->relative_rmse), percent_text(score->noise), 100.0 * score->bias, score->answered, score->asked);
+    // A measured truth does not say its error.
+    const std::string noise = score->noise > 0.0 ? fmt::format(" (truth ±{} %)", percent_text(score->noise)) : "";
+    html += fmt::format("<dt>{}</dt><dd><b>{} %</b>{}, bias {:+.1f} %, {} of {} directions<br>", side, percent_text(score->relative_rmse),
+                        noise, 100.0 * score->bias, score->answered, score->asked);
     html += fmt::format("{:.3g} mW m⁻² sr⁻¹ nm⁻¹; luminance {} %; u′v′ {:.4f}; ΔE₀₀ {:.2f}</dd>", 1000.0 * score->spectral_rmse,
                         percent_text(score->luminance_rmse), score->chromaticity_rmse, score->colour_difference);
 }
@@ -202,7 +203,8 @@ std::string method(const Comparison& comparison) {
         "Times are of processor cores, a direction’s on one. Maps: blue is too dark, red too bright, full colour at 50 %, grey no answer; "
         "profiles: thick the "
         "truth, thin the model.";
-    if (comparison.against != Against::measured) html += " Maps and profiles take the tables for the truth.";
+    html += comparison.against == Against::measured ? " Profiles take the tables for the truth."
+                                                    : " Maps and profiles take the tables for the truth.";
     return html + "</p>\n<p class=\"scale\"></p>\n";
 }
 

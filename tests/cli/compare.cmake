@@ -1,8 +1,8 @@
 airlight_cli_help(compare)
 set(small --suns 40 --wavelengths 450,550,650 --paths 128 --size 0 --quiet)
 airlight_cli_test("compare: a row a model, and the files"
-  OUT "^air,model,answered,asked,relative_rmse_percent," "^earth-hazy over snow,preetham1999,1,1,[0-9.]+,[0-9.]+," "^# judged/report\\.html$" "^# judged/scores\\.csv$" "^# judged/scores\\.json$"
-  COMMAND compare --atmosphere earth-hazy --ground snow --models preetham1999 ${small} -o judged)
+  OUT "^air,model,answered,asked,relative_rmse_percent," "^earth-hazy over snow,preetham1999,1,1,[0-9.]+,[0-9.]+," "^# judged/report\\.html$" "^# judged/scores\\.csv$" "^# judged/scores\\.json$" "^# models\\.md$"
+  COMMAND compare --atmosphere earth-hazy --ground snow --models preetham1999 ${small} -o judged --table models.md)
 airlight_cli_test("compare: a model that cannot answer has no number" OUT "^earth-clear,preetham1999,0,1,,,,,$"
   COMMAND compare --models preetham1999 --eyes-m 10000 --turbidity 2 ${small} -o refused)
 airlight_cli_test("compare: an unknown model is refused" EXIT 1 ERR "^--models: \"preetam1999\" is no model$" "Did you mean preetham1999\\?"

@@ -247,6 +247,19 @@ TEST_CASE("a measured sky is read by its columns, and what is missing or wrong i
     CHECK(!read(""));
 }
 
+TEST_CASE("a card tells which orders its model computes") {
+    const auto orders = [](std::string_view scattering) {
+        ModelCard card = find_model("tables")->card;
+        card.scattering = scattering;
+        return orders_of(card);
+    };
+    CHECK(orders("single") == Orders::single);
+    CHECK(orders("single exact; higher orders from tables") == Orders::several);
+    CHECK(orders("multiple") == Orders::several);
+    CHECK(orders("fitted to all orders") == Orders::fitted);
+    CHECK(orders("none") == Orders::none);
+}
+
 TEST_CASE("base64 is that of RFC 4648") {
     const std::pair<const char*, const char*> published_texts[] = {
         {"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foob", "Zm9vYg=="}, {"fooba", "Zm9vYmE="}, {"foobar", "Zm9vYmFy"}};
@@ -286,5 +299,6 @@ TEST_CASE("a comparison's page needs no other file, names every model, and says 
     CHECK(air.models[1].refusal.find("turbidity") != std::string::npos);
     const std::string csv = report_csv(*comparison);
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + 4);
+    CHECK(nearest_first(air) == std::vector<std::size_t>{0, 1});
     CHECK(models_page(*comparison, "make models").find("`tables`") != std::string::npos);
 }
