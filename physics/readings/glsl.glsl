@@ -13,6 +13,8 @@ precision highp sampler3D;
 #define INOUT(T) inout T
 #define TABLE_2D(T) sampler2D
 #define TABLE_3D(T) sampler3D
+#define PACKED_TABLE_2D(T) sampler2D
+#define PACKED_TABLE_3D(T) sampler3D
 #define TexCoord2 vec2
 #define TexCoord3 vec3
 

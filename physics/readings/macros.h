@@ -11,3 +11,6 @@
 // look_up(table, TexCoord2(u, v)).
 #define TABLE_2D(T) Table2D<T>
 #define TABLE_3D(T) Table3D<T>
+// The same with texels of 16 bits that stand for 0 to 1.
+#define PACKED_TABLE_2D(T) PackedTable2D<T>
+#define PACKED_TABLE_3D(T) PackedTable3D<T>

@@ -30,4 +30,30 @@ GaussRule gauss_rule(int n, double low, double high) {
     return rule;
 }
 
+InterpolatingRule interpolating_rule(int n) {
+    const GaussRule gauss = gauss_rule(n);
+    const auto count = static_cast<std::size_t>(n);
+    // Legendre polynomials of degree 0 to n at each node.
+    std::vector<std::vector<double>> p(count, std::vector<double>(count + 1, 1.0));
+    for (std::size_t k = 0; k < count; ++k) {
+        const double x = gauss.nodes[k];
+        p[k][1] = x;
+        for (std::size_t l = 2; l <= count; ++l)
+            p[k][l] = ((2.0 * static_cast<double>(l) - 1.0) * x * p[k][l - 1] - (static_cast<double>(l) - 1.0) * p[k][l - 2]) /
+                      static_cast<double>(l);
+    }
+    InterpolatingRule rule;
+    for (std::size_t k = 0; k < count; ++k) {
+        rule.nodes.push_back(0.5 * (gauss.nodes[k] + 1.0));
+        rule.weights.push_back(0.5 * gauss.weights[k]);
+        rule.up_to.emplace_back();
+        for (std::size_t j = 0; j < count; ++j) {
+            double sum = gauss.nodes[k] + 1.0;  // degree 0
+            for (std::size_t l = 1; l < count; ++l) sum += p[j][l] * (p[k][l + 1] - p[k][l - 1]);
+            rule.up_to[k].push_back(0.25 * gauss.weights[j] * sum);
+        }
+    }
+    return rule;
+}
+
 }  // namespace airlight

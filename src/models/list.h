@@ -11,5 +11,6 @@ Model preetham1999_model();
 Model hosek2012_model();
 Model bruneton2008_model();
 Model hillaire2020_model();
+Model airlight_model();
 
 }  // namespace airlight

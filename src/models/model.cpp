@@ -20,6 +20,7 @@ std::span<const Model> models() {
         bruneton2008_model(),
         hosek2012_model(),
         hillaire2020_model(),
+        airlight_model(),
     };
     // clang-format on
     return all;

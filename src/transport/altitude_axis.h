@@ -16,11 +16,21 @@ namespace airlight {
 // depth along the sun's rays grows as the root of the depth below its edge.
 class AltitudeAxis {
 public:
+    struct Segment {
+        float from;  // altitude_coordinate of its first texel
+        float inverse_range;
+        int first;
+        int last;
+        bool crowds;  // towards its upper end, a jump
+    };
+
     // `size` texels, 2 or more, from the ground to `top_m`; `jumps_m` are increasing and lie between. Each segment has at least two
     // texels; where there are too few texels for that, the upper jumps are left out.
     AltitudeAxis(double top_m, std::span<const double> jumps_m, int size);
 
     int size() const { return segments_.back().last + 1; }
+
+    std::span<const Segment> segments() const { return segments_; }
 
     // The altitude of a texel, in metres.
     double altitude_m(int texel) const;
@@ -42,13 +52,6 @@ public:
     }
 
 private:
-    struct Segment {
-        float from;  // altitude_coordinate of its first texel
-        float inverse_range;
-        int first;
-        int last;
-        bool crowds;  // towards its upper end, a jump
-    };
     const Segment& segment_of(int texel) const;
 
     float top_m_;

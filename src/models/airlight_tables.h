@@ -1,0 +1,42 @@
+// What the model `airlight` reads at run time: the tables of an atmosphere at up to sixteen wavelengths in at most 4 MiB,
+// and the small structures of physics/models/airlight.glsl, ready for a GPU's textures and blocks as for the CPU.
+// Theory: docs/theory.md, section 10. Uses transport's tables, from which these are made.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "physics/models/f32.h"
+#include "transport/tables.h"
+
+namespace airlight {
+
+// Texels of 16 bits, sixteen wavelengths each: values of 0 to 1.
+struct PackedTexels {
+    std::array<int, 3> size{1, 1, 1};  // width, height, depth
+    std::vector<std::uint16_t> values;
+};
+
+struct AirlightTables {
+    f32::AirlightAir air;
+    std::vector<f32::Spectrum> densities;  // [2][density_axis.texels]
+    PackedTexels transmittance;            // optical depths, [altitude][cosine]
+    PackedTexels source;                   // logarithms, [azimuth][altitude][view][sun]
+    PackedTexels diffuse;                  // logarithms of the irradiance on the ground, [sun]
+
+    std::size_t bytes() const;
+
+    f32::AirlightLight light(const f32::AirlightRule& rule, const f32::AirlightRay& ray) const;
+    // Of a level surface on the ground, by the whole sky but the sun's disk.
+    f32::IrradianceSpectrum diffuse_on_ground(float mu_s) const;
+};
+
+// Samples the tables of a pack anew, geometrically between their texels.
+AirlightTables airlight_tables(const Tables::Pack& pack);
+
+// Gauss's rule of 2 to airlight_nodes nodes.
+f32::AirlightRule airlight_rule(int nodes);
+
+}  // namespace airlight
