@@ -133,8 +133,8 @@ FN Spectrum airlight_sunlight(IN(AirlightAir) air, IN(PACKED_TABLE_2D(Spectrum))
 }
 
 // Radiance scattered per scattering coefficient, by light of at least one scattering or reflection, towards where a view of
-// zenith cosine mu came from.
-FN RadianceSpectrum airlight_source(IN(AirlightAir) air, IN(PACKED_TABLE_3D(Spectrum)) source, Length h, Number mu, Number mu_s, Number nu) {
+// zenith cosine mu came from; over the sun's irradiance, per steradian.
+FN Spectrum airlight_source(IN(AirlightAir) air, IN(PACKED_TABLE_3D(Spectrum)) source, Length h, Number mu, Number mu_s, Number nu) {
     Number x = texture_coordinate(sun_coordinate(mu_s), air.sun_texels);
     Number y = texture_coordinate(view_coordinate(mu), air.view_texels);
     Number azimuth = azimuth_coordinate(relative_azimuth_cosine(mu, mu_s, nu)) * Number(air.azimuth_texels - 1);
@@ -145,7 +145,7 @@ FN RadianceSpectrum airlight_source(IN(AirlightAir) air, IN(PACKED_TABLE_3D(Spec
     Number weight = azimuth - Number(low);
     Spectrum value = look_up(source, TexCoord3(x, y, z)) * (1.0 - weight) +
                      look_up(source, TexCoord3(x, y, z + 1.0 / Number(air.azimuth_texels))) * weight;
-    return exp(value * air.log_range + Spectrum(air.log_low)) * air.solar_irradiance * per_sr;
+    return exp(value * air.log_range + Spectrum(air.log_low));
 }
 
 // Diffuse irradiance of the ground, over the sun's.
@@ -225,11 +225,17 @@ FN AirlightCuts airlight_ray_cuts(IN(AirlightAir) air, IN(TABLE_2D(Spectrum)) de
     return cuts;
 }
 
+// Integrals along a ray, relative to the sun's irradiance.
+struct AirlightSums {
+    Spectrum multiple;
+    LengthSpectrum lit[airlight_parts];  // of each constituent's air, as if of density one
+};
+
 // Adds the light of the piece [from, to] of a ray, on one side of the perigee; `columns` holds those before it, and receives those
 // after it.
 FN void airlight_piece(IN(AirlightAir) air, IN(AirlightRule) rule, IN(TABLE_2D(Spectrum)) densities,
                        IN(PACKED_TABLE_2D(Spectrum)) transmittance, IN(PACKED_TABLE_3D(Spectrum)) source, IN(AirlightRay) ray,
-                       Length from, Length to, INOUT(AirlightColumns) columns, INOUT(AirlightLight) light) {
+                       Length from, Length to, INOUT(AirlightColumns) columns, INOUT(AirlightSums) sums) {
     Length r = air.bottom + ray.h;
     Length start = r * ray.mu;
     bool rises = from + to > 0.0 * m;
@@ -256,36 +262,35 @@ FN void airlight_piece(IN(AirlightAir) air, IN(AirlightRule) rule, IN(TABLE_2D(S
         AirlightColumns up_to = columns;
         for (int j = 0; j < rule.count; ++j) {
             Length part = rule.up_to[k * rule.count + j] * slope[j];
-            for (int p = 0; p < air.parts; ++p) up_to.of[p] = up_to.of[p] + density[j].of[p] * part;
+            for (int p = 0; p < airlight_parts; ++p) up_to.of[p] = up_to.of[p] + density[j].of[p] * part;
         }
-        for (int p = 0; p < air.parts; ++p) up_to.of[p] = max(up_to.of[p], 0.0 * m);
+        for (int p = 0; p < airlight_parts; ++p) up_to.of[p] = max(up_to.of[p], 0.0 * m);
         Length r_k = air.bottom + h[k];
         Number mu = clamp((start + distance[k]) / r_k, Number(-1.0), Number(1.0));
         Number mu_s = clamp((r * ray.mu_s + ray.nu * distance[k]) / r_k, Number(-1.0), Number(1.0));
         LengthSpectrum seen = airlight_transmittance(air, up_to) * (rule.weight[k] * slope[k]);
         LengthSpectrum lit = seen * airlight_sunlight(air, transmittance, h[k], mu_s);
         ScatteringSpectrum scattering = air.scattering[0] * density[k].of[0];
-        light.single[0] = light.single[0] + lit * (air.scattering[0] * density[k].of[0]) * air.solar_irradiance;
+        sums.lit[0] = sums.lit[0] + lit * density[k].of[0];
         for (int p = 1; p < air.parts; ++p) {
-            ScatteringSpectrum of_part = air.scattering[p] * density[k].of[p];
-            scattering = scattering + of_part;
-            light.single[p] = light.single[p] + lit * of_part * air.solar_irradiance;
+            scattering = scattering + air.scattering[p] * density[k].of[p];
+            sums.lit[p] = sums.lit[p] + lit * density[k].of[p];
         }
-        light.multiple = light.multiple + airlight_source(air, source, h[k], mu, mu_s, ray.nu) * (scattering * seen);
+        sums.multiple = sums.multiple + airlight_source(air, source, h[k], mu, mu_s, ray.nu) * (scattering * seen);
     }
     for (int k = 0; k < rule.count; ++k)
-        for (int p = 0; p < air.parts; ++p) columns.of[p] = columns.of[p] + density[k].of[p] * (rule.weight[k] * slope[k]);
+        for (int p = 0; p < airlight_parts; ++p) columns.of[p] = columns.of[p] + density[k].of[p] * (rule.weight[k] * slope[k]);
 }
 
 // The light along a ray.
 FN AirlightLight airlight_light(IN(AirlightAir) air, IN(AirlightRule) rule, IN(TABLE_2D(Spectrum)) densities,
                                 IN(PACKED_TABLE_2D(Spectrum)) transmittance, IN(PACKED_TABLE_3D(Spectrum)) source,
                                 IN(PACKED_TABLE_2D(Spectrum)) diffuse, IN(AirlightRay) ray) {
-    AirlightLight light;
     AirlightColumns columns;
-    light.multiple = RadianceSpectrum(0.0 * air.solar_irradiance[0] * per_sr);
+    AirlightSums sums;
+    sums.multiple = Spectrum(Number(0.0));
     for (int p = 0; p < airlight_parts; ++p) {
-        light.single[p] = IrradianceSpectrum(0.0 * air.solar_irradiance[0]);
+        sums.lit[p] = LengthSpectrum(0.0 * m);
         columns.of[p] = 0.0 * m;
     }
     bool grounded = meets_ground(ray.h, ray.mu, air.bottom);
@@ -294,13 +299,16 @@ FN AirlightLight airlight_light(IN(AirlightAir) air, IN(AirlightRule) rule, IN(T
         grounded = false;
         length = ray.limit;
     }
+    AirlightLight light;
     light.transmittance = Spectrum(Number(1.0));
     if (length > 0.0 * m) {
         AirlightCuts cuts = airlight_ray_cuts(air, densities, ray, length);
         for (int i = 0; i + 1 < cuts.count; ++i)
-            airlight_piece(air, rule, densities, transmittance, source, ray, cuts.at[i], cuts.at[i + 1], columns, light);
+            airlight_piece(air, rule, densities, transmittance, source, ray, cuts.at[i], cuts.at[i + 1], columns, sums);
         light.transmittance = airlight_transmittance(air, columns);
     }
+    light.multiple = sums.multiple * air.solar_irradiance * per_sr;
+    for (int p = 0; p < airlight_parts; ++p) light.single[p] = sums.lit[p] * air.scattering[p] * air.solar_irradiance;
     if (grounded) {
         Number mu_s = clamp(((air.bottom + ray.h) * ray.mu_s + ray.nu * length) / air.bottom, Number(-1.0), Number(1.0));
         light.multiple = light.multiple + airlight_ground(air, transmittance, diffuse, mu_s) * light.transmittance;
