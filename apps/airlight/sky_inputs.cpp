@@ -14,6 +14,9 @@ Result<ModelOptions> model_options(const SkyInputs& inputs, const Progress& prog
     ModelOptions options;
     options.turbidity = inputs.turbidity;
     options.data = inputs.data;
+    options.cie_type = inputs.cie_type;
+    options.clearness = inputs.clearness;
+    options.brightness = inputs.brightness;
     options.bake.orders = inputs.orders;
     options.reference = {.paths = inputs.paths, .seed = inputs.seed};
     options.progress = progress;
@@ -41,6 +44,12 @@ void add_sky_inputs(CLI::App& app, SkyInputs& inputs) {
         ->capture_default_str();
     app.add_option("--turbidity", inputs.turbidity, "models of turbidity: instead of that of the atmosphere")->option_text("<T>");
     app.add_option("--data", inputs.data, "models that read a data set: its file")->option_text("<file>");
+    app.add_option("--cie-type", inputs.cie_type, "cie2003: which of the 15 standard skies, 1 (overcast) to 15")
+        ->option_text("<n>")
+        ->capture_default_str();
+    app.add_option("--clearness", inputs.clearness, "perez1993: 1 (no beam) and more, instead of that of the atmosphere")
+        ->option_text("<x>");
+    app.add_option("--brightness", inputs.brightness, "perez1993: 0 to 1, instead of that of the atmosphere")->option_text("<x>");
     app.add_option("--orders", inputs.orders, "tables: orders of scattering computed, the rest extrapolated")
         ->option_text("<n>")
         ->capture_default_str();

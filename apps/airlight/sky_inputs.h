@@ -23,6 +23,9 @@ struct SkyInputs {
     std::string model = "tables";
     std::optional<double> turbidity;
     std::string data;
+    int cie_type = 12;
+    std::optional<double> clearness;
+    std::optional<double> brightness;
     std::string sizes;
     int orders = BakeSettings{}.orders;
     std::int64_t paths = 16384;

@@ -42,9 +42,13 @@ constexpr Number pi = Number(3.14159265358979323846);
 #pragma push_macro("FN")
 #undef FN
 #define FN AIRLIGHT_INLINE
-#include "physics/models/hosek2012.glsl"
+// In the order in which they use each other.
+// clang-format off
 #include "physics/models/perez.glsl"
+#include "physics/models/cie2003.glsl"
 #include "physics/models/preetham1999.glsl"
+#include "physics/models/hosek2012.glsl"
+// clang-format on
 #pragma pop_macro("FN")
 
 }  // namespace airlight::batch

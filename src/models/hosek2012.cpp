@@ -4,7 +4,7 @@
 //                (elevation of the sun / 90 deg)^(1/3); bilinear in albedo and turbidity. Radiance is linear between the wavelengths
 //                of the data, as in the published program; below zero, where data may fall at low suns, it is zero
 //   leaves out   the eye's altitude, twilight, the kind of the aerosol, the sun's own spectrum (radiances are absolute, of the
-//                data's sun); the sun's disk, whose published data the files do not have
+//                data's sun). The published model of the sun's disk is not in the files: it is seen through the atmosphere's own air
 //   parameters   data: the published set as a table, or a file of `airlight fit hosek` (hosek2012_data.h); turbidity (1 to 10 in
 //                the published set), the atmosphere's own unless given; the ground's albedo, at each wavelength, from the
 //                atmosphere; the sun 0 to 90 deg from the zenith; wavelengths of the data (320 to 720 nm in the published set).
@@ -114,8 +114,13 @@ private:
 
 class Hosek2012Sky : public PublishedSky {
 public:
-    Hosek2012Sky(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, Bands bands)
-        : PublishedSky(card, atmosphere, std::move(wavelengths)), bands_(std::move(bands)) {}
+    Hosek2012Sky(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, Bands bands, Reference air)
+        : PublishedSky(card, atmosphere, std::move(wavelengths)), bands_(std::move(bands)), air_(std::move(air)) {}
+
+    Result<std::vector<double>> transmittance(Length altitude, double view_zenith, Length distance) const override {
+        if (const Result<Done> ok = within_range({altitude, view_zenith, 0.0, 0.0}); !ok) return ok.error();
+        return air_.transmittance(altitude, view_zenith, distance);
+    }
 
     Result<std::unique_ptr<SkyDome>> dome(Length altitude, double sun_zenith) const override {
         if (const Result<Done> ok = within_range({altitude, 0.0, sun_zenith, 0.0}); !ok) return ok.error();
@@ -134,6 +139,7 @@ private:
     }
 
     Bands bands_;
+    Reference air_;
 };
 
 // Fails if a wavelength lies outside of the data's.
@@ -203,8 +209,10 @@ Result<std::unique_ptr<Sky>> make(const Atmosphere& atmosphere, std::vector<Wave
         if (!asked) return asked.error();
         t = *asked;
     }
+    Result<Reference> air = Reference::of(atmosphere, wavelengths);
+    if (!air) return air.error();
     Bands bands = bands_of(*data, atmosphere, wavelengths, t);
-    return std::unique_ptr<Sky>(std::make_unique<Hosek2012Sky>(atmosphere, std::move(wavelengths), std::move(bands)));
+    return std::unique_ptr<Sky>(std::make_unique<Hosek2012Sky>(atmosphere, std::move(wavelengths), std::move(bands), std::move(*air)));
 }
 
 }  // namespace

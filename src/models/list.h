@@ -7,8 +7,12 @@ namespace airlight {
 
 Model reference_model();
 Model tables_model();
+Model perez1993_model();
 Model preetham1999_model();
+Model cie2003_model();
+Model hipiny2006_model();
 Model hosek2012_model();
+Model prague2021_model();
 Model bruneton2008_model();
 Model hillaire2020_model();
 Model airlight_model();

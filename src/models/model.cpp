@@ -12,15 +12,20 @@
 namespace airlight {
 
 std::span<const Model> models() {
-    // clang-format off: one a line
+    // One a line.
+    // clang-format off
     static const Model all[] = {
         reference_model(),
         tables_model(),
+        perez1993_model(),
         preetham1999_model(),
+        cie2003_model(),
+        hipiny2006_model(),
         bruneton2008_model(),
         hosek2012_model(),
         hillaire2020_model(),
         airlight_model(),
+        prague2021_model(),
     };
     // clang-format on
     return all;

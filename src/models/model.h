@@ -37,6 +37,9 @@ struct ModelCard {
 struct ModelOptions {
     std::optional<double> turbidity = {};  // instead of the atmosphere's own
     std::filesystem::path data = {};       // a published data set, or a fit
+    int cie_type = 12;                     // cie2003: 1 to 15
+    std::optional<double> clearness = {};  // perez1993: instead of the atmosphere's own
+    std::optional<double> brightness = {};
     BakeSettings bake = {};
     CacheSettings cache = {};
     ReferenceSettings reference = {};
