@@ -14,6 +14,7 @@ Result<ModelOptions> model_options(const SkyInputs& inputs, const Progress& prog
     ModelOptions options;
     options.turbidity = inputs.turbidity;
     options.data = inputs.data;
+    options.variant = inputs.variant;
     options.bake.orders = inputs.orders;
     options.reference = {.paths = inputs.paths, .seed = inputs.seed};
     options.progress = progress;
@@ -41,6 +42,7 @@ void add_sky_inputs(CLI::App& app, SkyInputs& inputs) {
         ->capture_default_str();
     app.add_option("--turbidity", inputs.turbidity, "models of turbidity: instead of that of the atmosphere")->option_text("<T>");
     app.add_option("--data", inputs.data, "models that read a data set: its file")->option_text("<file>");
+    app.add_option("--variant", inputs.variant, "models with several forms: which one")->option_text("<name>");
     app.add_option("--orders", inputs.orders, "tables: orders of scattering computed, the rest extrapolated")
         ->option_text("<n>")
         ->capture_default_str();

@@ -23,6 +23,7 @@ struct SkyInputs {
     std::string model = "tables";
     std::optional<double> turbidity;
     std::string data;
+    std::string variant;
     std::string sizes;
     int orders = BakeSettings{}.orders;
     std::int64_t paths = 16384;

@@ -7,7 +7,16 @@ namespace airlight {
 
 Model reference_model();
 Model tables_model();
+Model fog_model();
+Model klassen1987_model();
+Model kaneda1991_model();
+Model nishita1993_model();
 Model preetham1999_model();
+Model hoffman2002_model();
+Model dobashi2002_model();
+Model nielsen2003_model();
+Model oneil2004_model();
+Model oneil2005_model();
 Model hosek2012_model();
 Model bruneton2008_model();
 Model hillaire2020_model();

@@ -37,6 +37,7 @@ struct ModelCard {
 struct ModelOptions {
     std::optional<double> turbidity = {};  // instead of the atmosphere's own
     std::filesystem::path data = {};       // a published data set, or a fit
+    std::string variant = {};              // of a model that its paper has in several forms; empty is its first
     BakeSettings bake = {};
     CacheSettings cache = {};
     ReferenceSettings reference = {};
