@@ -11,6 +11,7 @@ Model fog_model();
 Model klassen1987_model();
 Model kaneda1991_model();
 Model nishita1993_model();
+Model nishita1996_model();
 Model preetham1999_model();
 Model hoffman2002_model();
 Model dobashi2002_model();

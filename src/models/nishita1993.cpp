@@ -8,7 +8,7 @@
 //   parameters   variant: ground (the atmosphere's albedo) or sea (a smooth sea of pure deep water: the sky's mirror image by
 //                Fresnel, and what the water sends back by quasi-single scattering [Gordon1973]; 380 to 700 nm, beyond as at the ends)
 //   converted    any atmosphere, to two exponential constituents (two_constituents.h); spheres follow the molecules
-//   cost         a table of 12,000 optical depths a pack, milliseconds; 64 samples a direction
+//   cost         a table of 12,000 optical depths a pack, 60 ms; 64 samples a direction
 //   reference    the text is physics/models/nishita1993.glsl and sea.glsl
 #include "models/density_spheres.h"
 #include "models/exponential_sky.h"
@@ -23,7 +23,7 @@ constexpr ModelCard card{.key = "nishita1993",
                          .paper = "NishitaEtAl1993",
                          .scattering = "single",
                          .approach = "spheres at equal steps of density, sunlight from a table by sphere and cylinder",
-                         .precomputation = "milliseconds a pack of 16 wavelengths",
+                         .precomputation = "60 ms a pack of 16 wavelengths",
                          .memory = "1.5 MiB a pack",
                          .highest_eye = anywhere,
                          .aerial_perspective = true};

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "physics/models/f32.h"
@@ -38,19 +39,21 @@ std::vector<Row> air_rays(double highest_m = 59e3) {
 }
 
 // A smooth table: optical depths fall along x and rise along y.
-LawTable falling_table(int width, int height) {
-    LawTable table{width, height, 0, {}};
-    for (int j = 0; j < height; ++j)
+LawTable falling_table(int width, int height, int depth = 0) {
+    LawTable table{width, height, depth, {}};
+    for (int k = 0; k < std::max(1, depth) * height; ++k)
         for (int i = 0; i < width; ++i)
             for (int w = 0; w < 4; ++w)
-                table.texels.push_back(static_cast<float>(0.3 * (1.0 + w) * std::exp(-3.0 * i / width) * (1.0 + 2.0 * j / height)));
+                table.texels.push_back(
+                    static_cast<float>(0.3 * (1.0 + w) * std::exp(-3.0 * i / width) * (1.0 + 2.0 * (k % height) / height)));
     return table;
 }
 
 }  // namespace
 
 std::vector<PointLaw> marched_model_laws() {
-    const std::vector<LawTable> spheres = {falling_table(16, 31), falling_table(16, 16)}, rays = {falling_table(32, 64)};
+    const std::vector<LawTable> spheres = {falling_table(16, 31), falling_table(16, 16)}, rays = {falling_table(32, 64)},
+                                voxels = {falling_table(6, 5, 8)};
     const std::vector<std::vector<double>> heights = {{0.0, 1.0, 300.0, 1500.0, 8000.0, 25e3, 59e3}};
     return {
         // The sums along the view, each term an exponential of a sum towards the sun.
@@ -63,15 +66,22 @@ std::vector<PointLaw> marched_model_laws() {
                     combinations({heights[0], {1.0, 0.9, 0.5, 0.2, 0.15}}), 8, 2),
         // The place 1 - e^-(h / H) of a point near the ground, in a table that is 16 spheres wide.
         MARCHED_TABLE_LAW("nishita1993: light of the air", spheres, 4, nishita1993_light(AIR, t2[0], t2[1], 16, 31, RAY).air[0], air_rays(),
-                          500, 16),
+                          40, 16),
         MARCHED_TABLE_LAW("nishita1993: depth", spheres, 4, nishita1993_light(AIR, t2[0], t2[1], 16, 31, RAY).depth[0], air_rays(), 18, 12),
+        // The root of 1 - mu_s^2 under the level direction's cosine.
+        MARCHED_LAW("nishita1996: level direction", 3, nishita1996_cosine(2, x[0], x[1], x[2]),
+                    combinations({{0.1, 0.5, 0.9}, {0.1, 0.6, 0.95}, {0.2, 0.5}}), 7, 2),
+        MARCHED_TABLE_LAW("nishita1996: light", voxels, 4,
+                          nishita1996_light(AIR, ScatteringSpectrum(1.2e-5 / m), ScatteringSpectrum(2.0e-5 / m), t3[0], 6, 5,
+                                            nishita1996_even_phases(), RAY, 6)[0],
+                          air_rays(), 40, 14),
         MARCHED_LAW("sea: mirrored", 1, sea_reflectance(x[0]), combinations({{0.0, 1e-3, 0.1, 0.5, 0.9, 0.99, 0.999, 1.0, 0.7, 0.3, 0.2}}),
                     8, 2),
         MARCHED_LAW("sea: from the water", 3,
                     sea_water_radiance(ScatteringSpectrum(0.01 / m), ScatteringSpectrum(0.003 / m), x[0], x[1], x[2])[0],
                     combinations({{0.1, 0.5, 1.0}, {0.1, 0.5, 1.0}, {0.0, 0.05, 0.1}}), 2, 4),
         // The column to a sample near the eye: a difference of two look-ups.
-        MARCHED_TABLE_LAW("oneil2004: light of the air", rays, 4, oneil2004_light(AIR, t2[0], 32, 64, RAY, 5).air[0], air_rays(), 1200, 10),
+        MARCHED_TABLE_LAW("oneil2004: light of the air", rays, 4, oneil2004_light(AIR, t2[0], 32, 64, RAY, 5).air[0], air_rays(), 40, 10),
         MARCHED_LAW("oneil2005: column", 2,
                     oneil2005_column(scale_function(0.0, 0.459, 3.83, -6.8, 5.25), 8000.0 * m, 6360000.0 * m, x[0] * m, x[1]),
                     combinations({heights[0], {1.0, 0.5, 0.1, 0.01, 0.0}}), 13, 12),
