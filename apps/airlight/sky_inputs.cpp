@@ -17,6 +17,7 @@ Result<ModelOptions> model_options(const SkyInputs& inputs, const Progress& prog
     options.cie_type = inputs.cie_type;
     options.clearness = inputs.clearness;
     options.brightness = inputs.brightness;
+    options.variant = inputs.variant;
     options.bake.orders = inputs.orders;
     options.reference = {.paths = inputs.paths, .seed = inputs.seed};
     options.progress = progress;
@@ -50,6 +51,7 @@ void add_sky_inputs(CLI::App& app, SkyInputs& inputs) {
     app.add_option("--clearness", inputs.clearness, "perez1993: 1 (no beam) and more, instead of that of the atmosphere")
         ->option_text("<x>");
     app.add_option("--brightness", inputs.brightness, "perez1993: 0 to 1, instead of that of the atmosphere")->option_text("<x>");
+    app.add_option("--variant", inputs.variant, "models with several forms: which one")->option_text("<name>");
     app.add_option("--orders", inputs.orders, "tables: orders of scattering computed, the rest extrapolated")
         ->option_text("<n>")
         ->capture_default_str();

@@ -26,6 +26,7 @@ struct SkyInputs {
     int cie_type = 12;
     std::optional<double> clearness;
     std::optional<double> brightness;
+    std::string variant;
     std::string sizes;
     int orders = BakeSettings{}.orders;
     std::int64_t paths = 16384;

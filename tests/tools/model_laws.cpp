@@ -7,6 +7,7 @@ std::vector<PointLaw> model_laws() {
     for (const auto& family : {
              analytic_model_laws(),
              table_model_laws(),
+             marched_model_laws(),
          })
         laws.insert(laws.end(), family.begin(), family.end());
     return laws;

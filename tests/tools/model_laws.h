@@ -7,5 +7,6 @@ namespace airlight::test {
 
 std::vector<PointLaw> analytic_model_laws();  // formulas fitted to skies
 std::vector<PointLaw> table_model_laws();     // look-ups in tables computed ahead
+std::vector<PointLaw> marched_model_laws();   // marches through exponential air, and closed forms in constant air
 
 }  // namespace airlight::test
