@@ -9,7 +9,9 @@ Model reference_model();
 Model tables_model();
 Model preetham1999_model();
 Model hosek2012_model();
+Model schafhitzel2007_model();
 Model bruneton2008_model();
+Model elek2009_model();
 Model hillaire2020_model();
 
 }  // namespace airlight

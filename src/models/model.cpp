@@ -12,12 +12,15 @@
 namespace airlight {
 
 std::span<const Model> models() {
-    // clang-format off: one a line
+    // One a line.
+    // clang-format off
     static const Model all[] = {
         reference_model(),
         tables_model(),
         preetham1999_model(),
+        schafhitzel2007_model(),
         bruneton2008_model(),
+        elek2009_model(),
         hosek2012_model(),
         hillaire2020_model(),
     };
