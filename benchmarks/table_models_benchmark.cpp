@@ -49,6 +49,8 @@ void directions_of(benchmark::State& state, const char* key) {
                                                      benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 BENCHMARK_CAPTURE(directions_of, bruneton2008, "bruneton2008");
+BENCHMARK_CAPTURE(directions_of, schafhitzel2007, "schafhitzel2007");
+BENCHMARK_CAPTURE(directions_of, elek2009, "elek2009");
 BENCHMARK_CAPTURE(directions_of, hillaire2020, "hillaire2020");
 
 }  // namespace

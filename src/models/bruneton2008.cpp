@@ -41,8 +41,6 @@ constexpr ModelCard card{.key = "bruneton2008",
                          .highest_view_zenith_deg = 180.0,
                          .aerial_perspective = true};
 
-f64::Length metres(double x) { return f64::Length::of(x); }
-
 class Bruneton2008Sky : public PublishedSky {
 public:
     Bruneton2008Sky(std::shared_ptr<const Tables> tables, const Bruneton2008Settings& settings)
@@ -72,7 +70,7 @@ public:
     Result<std::vector<double>> transmittance(Length altitude, double view_zenith, Length distance) const override {
         // Only the way matters, not the sun.
         if (const Result<Done> ok = within_range({altitude, view_zenith, 0.0, 0.0}); !ok) return ok.error();
-        const std::optional<Piece> piece = piece_of({altitude, view_zenith, 0.0, 0.0}, distance);
+        const std::optional<AirPiece> piece = piece_of({altitude, view_zenith, 0.0, 0.0}, distance);
         std::vector<double> seen;
         for (const auto& pack : *packs_)
             append(piece ? pack->transmittance(piece->start, piece->length_m) : f32::Spectrum(f32::Number(1.0)), *pack, seen);
@@ -81,7 +79,7 @@ public:
 
     Result<AerialPerspective> aerial_perspective(const View& view, Length distance) const override {
         if (const Result<Done> ok = within_range(view); !ok) return ok.error();
-        const std::optional<Piece> piece = piece_of(view, distance);
+        const std::optional<AirPiece> piece = piece_of(view, distance);
         AerialPerspective air;
         for (const auto& pack : *packs_) {
             f32::Spectrum seen(f32::Number(1.0));
@@ -106,40 +104,9 @@ public:
     }
 
 private:
-    // The part of a view that lies in the air, up to a distance from the eye.
-    struct Piece {
-        Bruneton2008View start, end;
-        double length_m;
-        bool whole;  // it ends where the air ends, or at the ground
-    };
-
     const Shell& shell() const { return (*packs_)[0]->pack().air.shell; }
 
-    std::optional<Piece> piece_of(const View& view, Length distance) const {
-        Ray ray{view.altitude.in(m), std::cos(view.view_zenith), std::cos(view.sun_zenith), view_sun_cosine(view)};
-        const double empty = empty_way(ray);
-        if (!enter_air(shell(), ray) || !(distance.in(m) > empty)) return std::nullopt;
-        const f64::Length h = metres(ray.altitude_m), bottom = metres(shell().bottom_m), top = metres(shell().top_m);
-        Piece piece;
-        const bool ground = f64::meets_ground(h, ray.mu, bottom);
-        piece.start = {ray.altitude_m, ray.mu, ray.mu_s, ray.nu, ground};
-        const double whole = (ground ? f64::distance_to_ground(h, ray.mu, bottom) : f64::distance_to_top(h, ray.mu, bottom, top)).value;
-        piece.whole = distance.in(m)-empty >= whole;
-        piece.length_m = piece.whole ? whole : distance.in(m)-empty;
-        const f64::Length t = metres(piece.length_m);
-        const f64::Length h_t = clamp(f64::altitude_at(h, ray.mu, t, bottom), metres(0.0), top);
-        piece.end = {h_t.value, f64::cosine_at(h, ray.mu, t, h_t, bottom).value,
-                     f64::sun_cosine_at(h, ray.mu_s, ray.nu, t, h_t, bottom).value, ray.nu, ground};
-        return piece;
-    }
-
-    // From an eye above the air to it; what a ray that misses it has does not matter.
-    double empty_way(const Ray& ray) const {
-        if (ray.altitude_m <= shell().top_m) return 0.0;
-        Ray entered = ray;
-        if (!enter_air(shell(), entered)) return 0.0;
-        return -(shell().bottom_m + ray.altitude_m) * ray.mu + (shell().bottom_m + shell().top_m) * entered.mu;
-    }
+    std::optional<AirPiece> piece_of(const View& view, Length distance) const { return air_piece(shell(), view, distance.in(m)); }
 
     template <class S>
     static void append(const S& spectrum, const Bruneton2008Tables& pack, std::vector<double>& to) {
@@ -147,7 +114,7 @@ private:
     }
 
     std::vector<double> sky_radiance(const View& view) const override {
-        const std::optional<Piece> piece = piece_of(view, 1e30 * m);
+        const std::optional<AirPiece> piece = piece_of(view, 1e30 * m);
         std::vector<double> seen;
         for (const auto& pack : *packs_) {
             f32::RadianceSpectrum light(f32::RadianceSpectrum::Scalar::of(0.0f));

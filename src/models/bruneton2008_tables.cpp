@@ -93,18 +93,7 @@ void Bruneton2008Tables::fill_row(int view, int altitude) const {
             const double nu = std::clamp(2.0 * fraction(n, shape_.nu_size) - 1.0, mu * mu_s - sines, mu * mu_s + sines);
             RayLight light;
             light.multiple = ray.multiple(air, pack_.tables.transmittance, higher, static_cast<float>(mu_s), static_cast<float>(nu));
-            light.single.fill(zero<f32::IrradianceSpectrum>());
-            const PreparedRay::Lit lit = ray.lit(air, static_cast<float>(mu_s), static_cast<float>(nu));
-            if (lit == PreparedRay::Lit::all) {
-                ray.single(air, pack_.tables.transmittance, static_cast<float>(mu_s), static_cast<float>(nu), light.single);
-            } else if (lit == PreparedRay::Lit::part) {
-                RayNodes nodes;
-                sample_ray(air.shell, {h, mu, mu_s, nu}, air.densities, air.opacity, nodes_per_piece, nodes);
-                light.single = gather(air, pack_.tables.transmittance,
-                                      {.single = true, .source = nullptr, .diffuse_on_ground = nullptr, .direct_on_ground = false}, nodes,
-                                      static_cast<float>(nu))
-                                   .single;
-            }
+            light.single = single_light(air, pack_.tables.transmittance, ray, {h, mu, mu_s, nu}, nodes_per_piece);
             const std::size_t texel =
                 ((static_cast<std::size_t>(altitude) * static_cast<std::size_t>(shape_.view_size) + static_cast<std::size_t>(view)) *
                      static_cast<std::size_t>(shape_.nu_size) +
@@ -149,11 +138,11 @@ void Bruneton2008Tables::need(const f32::Bruneton2008Place& place) const {
                            [&] { fill_row(static_cast<int>(i), static_cast<int>(k)); });
 }
 
-Bruneton2008Tables::Light Bruneton2008Tables::light(const Bruneton2008View& view) const {
+AirLight Bruneton2008Tables::light(const AirView& view) const {
     const f32::Bruneton2008Place place =
         f32::bruneton2008_place(shape_, metres(view.altitude_m), number(view.mu), number(view.mu_s), number(view.nu), view.ground);
     need(place);
-    Light light;
+    AirLight light;
     light.multiple = f32::bruneton2008_multiple(table<f32::RadianceSpectrum>(multiple_), place);
     for (std::size_t i = 0; i < parts_.size(); ++i)
         light.single[i] = f32::bruneton2008_single(table<f32::IrradianceSpectrum>(single_[i]), place);
@@ -162,7 +151,7 @@ Bruneton2008Tables::Light Bruneton2008Tables::light(const Bruneton2008View& view
 }
 
 // The last wavelength, the reddest, is the one whose Mie scattering is kept.
-void Bruneton2008Tables::colour_mie(Light& light) const {
+void Bruneton2008Tables::colour_mie(AirLight& light) const {
     const std::size_t red = static_cast<std::size_t>(pack_.optics.wavelength_count) - 1;
     const f32::IrradianceSpectrum rayleigh = light.single[*air_];
     const f32::ScatteringSpectrum& air = pack_.air.scattering[parts_[*air_]];
@@ -175,14 +164,14 @@ void Bruneton2008Tables::colour_mie(Light& light) const {
     }
 }
 
-f32::RadianceSpectrum Bruneton2008Tables::radiance(const Light& light, double nu) const {
+f32::RadianceSpectrum Bruneton2008Tables::radiance(const AirLight& light, double nu) const {
     f32::RadianceSpectrum sum = light.multiple;
     for (std::size_t i = 0; i < parts_.size(); ++i)
         sum += light.single[i] * narrowed<f32::PhaseSpectrum>(pack_.optics.parts[parts_[i]].phase.at(nu));
     return max(sum, zero<f32::RadianceSpectrum>());
 }
 
-f32::Spectrum Bruneton2008Tables::transmittance(const Bruneton2008View& view, double distance_m) const {
+f32::Spectrum Bruneton2008Tables::transmittance(const AirView& view, double distance_m) const {
     return f32::bruneton2008_transmittance({transmittance_, depths_across, depths_down}, shape_, depths_across, depths_down,
                                            metres(view.altitude_m), number(view.mu), metres(distance_m), view.ground);
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "models/bruneton2008.h"
+#include "models/two_look_ups.h"
 #include "physics/models/f32.h"
 #include "physics/models/f64.h"
 #include "transport/ray_light.h"
@@ -16,30 +17,19 @@
 
 namespace airlight {
 
-// Where a view stands in the tables: its altitude within the air, and whether its ray meets the ground.
-struct Bruneton2008View {
-    double altitude_m, mu, mu_s, nu;
-    bool ground;
-};
-
 class Bruneton2008Tables {
 public:
     // `pack` must outlive it.
     Bruneton2008Tables(const Tables::Pack& pack, const Bruneton2008Settings& settings);
 
-    // What comes from the air along a ray: light scattered once by each kind of particle, to be multiplied by its phase function, and
-    // the light of higher orders. In tables of four channels `multiple` is within the first constituent that is air.
-    struct Light {
-        f32::RadianceSpectrum multiple;
-        std::array<f32::IrradianceSpectrum, max_parts> single;
-    };
-    Light light(const Bruneton2008View& view) const;
+    // What comes from the air along a ray; `single` is in the order of scattering_parts(). In tables of four channels `multiple` is within the first constituent that is air.
+    AirLight light(const AirView& view) const;
 
     // Times the phase functions; never below zero.
-    f32::RadianceSpectrum radiance(const Light& light, double nu) const;
+    f32::RadianceSpectrum radiance(const AirLight& light, double nu) const;
 
     // Transmittance over a distance that ends in the air or at the ground.
-    f32::Spectrum transmittance(const Bruneton2008View& view, double distance_m) const;
+    f32::Spectrum transmittance(const AirView& view, double distance_m) const;
 
     // Radiance of the ground where the sun stands at mu_s, and irradiance by the sky at an altitude.
     f32::RadianceSpectrum ground(double mu_s) const;
@@ -73,7 +63,7 @@ private:
     void write(std::size_t texel, const RayLight& light, double nu) const;
     void fill_irradiance();
     void round_to_eight_bits(const Values& values) const;
-    void colour_mie(Light& light) const;
+    void colour_mie(AirLight& light) const;
 
     std::size_t texels() const;
     template <class T>

@@ -23,7 +23,9 @@ Model oneil2004_model();
 Model oneil2005_model();
 Model hosek2012_model();
 Model prague2021_model();
+Model schafhitzel2007_model();
 Model bruneton2008_model();
+Model elek2009_model();
 Model hillaire2020_model();
 Model airlight_model();
 

@@ -156,6 +156,20 @@ std::vector<PointLaw> hillaire2020_laws() {
     };
 }
 
+std::vector<PointLaw> small_table_laws() {
+    const std::vector<LawTable> table = {smooth_table(8, 8, 4)};
+    return {
+        TABLE_LAW("schafhitzel2007: light", table, 5,
+                  schafhitzel2007_light(t3[0], schafhitzel2007(6360000.0 * m, 60000.0 * m, 4, 8, 8), x[0] * m, x[1], x[2], x[4] > 0.5)[0],
+                  bruneton2008_views(), 5, 5),
+        TABLE_LAW("elek2009: light", table, 5, elek2009_single(t3[0], elek2009(60000.0 * m, 4, 8, 8), x[0] * m, x[1], x[2])[0],
+                  bruneton2008_views(), 5, 5),
+        // Roots 7, three of Newton's steps that each make good what was lost before, but for 4 of their own.
+        POINT_LAW(elek2009_cosine_coordinate, combinations({cosines()}), 8, 1),
+        POINT_LAW(elek2009_cosine_of_coordinate, combinations({coordinates()}), 6, 0),
+    };
+}
+
 }  // namespace
 
 std::vector<PointLaw> table_model_laws() {
@@ -169,7 +183,8 @@ std::vector<PointLaw> table_model_laws() {
         TABLE_LAW("look_up in 7 x 5 x 3 texels", deep, 3, look_up(t3[0], TexCoord3(x[0], x[1], x[2]))[0],
                   combinations({places(), {-0.1, 0.0, 0.11, 0.5, 0.77, 1.0}, {0.0, 0.17, 0.3, 0.9, 1.0}}), 3, 2),
     };
-    for (const auto& model : {bruneton2008_laws(), hillaire2020_laws()}) laws.insert(laws.end(), model.begin(), model.end());
+    for (const auto& model : {bruneton2008_laws(), hillaire2020_laws(), small_table_laws()})
+        laws.insert(laws.end(), model.begin(), model.end());
     return laws;
 }
 
