@@ -77,6 +77,9 @@ double picture_seconds(const AskingCost& cost) {
 Result<AskingCost> asking_cost(const Sky& sky, const Condition& condition) {
     const ThreadLimit one(1);
     AskingCost cost;
+    // A first dome touches what a model keeps for later ones; the second shows what each costs.
+    if (const Result<std::unique_ptr<SkyDome>> first = sky.dome(condition.altitude, condition.sun_zenith_deg * deg); !first)
+        return first.error();
     const double start = seconds(CLOCK_PROCESS_CPUTIME_ID);
     const Result<std::unique_ptr<SkyDome>> dome = sky.dome(condition.altitude, condition.sun_zenith_deg * deg);
     cost.dome_seconds = seconds(CLOCK_PROCESS_CPUTIME_ID) - start;

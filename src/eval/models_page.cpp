@@ -52,6 +52,8 @@ std::string orders_text(Orders orders) {
             return "single";
         case Orders::several:
             return "several";
+        case Orders::fitted:
+            return "fitted";
     }
     return "";
 }
@@ -106,43 +108,61 @@ std::string names(const std::vector<const ModelRun*>& models) {
     return text.empty() ? "none" : text;
 }
 
+// What the truth itself says of the order, and which models are out of it.
+std::string floor_explained(const AirRun& air, double floor) {
+    std::vector<const ModelRun*> lucky, poor;
+    for (const ModelRun* model : ordered(air)) {
+        const Summary s = summary(air, *model, common_ground(air));
+        const Orders orders = orders_of(model->card);
+        if (s.answered == 0 || orders == Orders::none) continue;
+        if (orders == Orders::single && s.relative_rmse < floor) lucky.push_back(model);
+        if (orders != Orders::single && s.relative_rmse > floor) poor.push_back(model);
+    }
+    std::string text = fmt::format(
+        " The cause is in the truth itself: light that was scattered once alone, by the reference and so without any other error, is off "
+        "by "
+        "{} %. That is the floor of single scattering, and what is above it is a model's own.",
+        percent_text(floor));
+    text += fmt::format(" Single-scattering models below the floor, by constants or approximations that make up for the missing light: {}.",
+                        names(lucky));
+    return text +
+           fmt::format(
+               " Of several orders or fitted, and yet worse than exact single scattering, by their approximations or because they were "
+               "fitted to other air: {}.",
+               names(poor));
+}
+
+// Models that are fast enough, each with its errors at its best and at its worst altitude, all suns.
+std::string real_time(const AirRun& air) {
+    std::string text;
+    for (const ModelRun* model : ordered(air)) {
+        if (!model->asking || picture_seconds(*model->asking) > frame_seconds) continue;
+        std::vector<double> errors;
+        for (const double eye : altitudes_m(air)) {
+            const Summary s = summary(air, *model, [eye](const Condition& c) { return c.altitude.in(m) == eye; });
+            if (s.answered > 0) errors.push_back(s.relative_rmse);
+        }
+        if (errors.empty()) continue;
+        const auto [least, most] = std::minmax_element(errors.begin(), errors.end());
+        text += fmt::format("{}`{}` ({} to {} % at {} of {} altitudes)", text.empty() ? "" : ", ", model->card.key, percent_text(*least),
+                            percent_text(*most), errors.size(), altitudes_m(air).size());
+    }
+    return fmt::format(
+        "Real-time here is a picture of 200 x 100 directions for a new eye and sun within {:.0f} ms on one core. The nearest first: {}.",
+        1000.0 * frame_seconds, text.empty() ? "none" : text);
+}
+
 // Why the order is as it is, by what the comparison itself found.
 std::string order_explained(const AirRun& air) {
     std::string text = fmt::format(
         "Models that compute several orders of scattering are off by {}; those of single scattering by {}; formulas that were fitted to "
-        "such light by {}.",
+        "such "
+        "light by {}.",
         range_text(errors_of(air, Orders::several)), range_text(errors_of(air, Orders::single)),
         range_text(errors_of(air, Orders::fitted)));
-    std::vector<const ModelRun*> lucky, poor, live;
     const Summary once = air.single ? summary(air, *air.single, common_ground(air)) : Summary{};
-    for (const ModelRun* model : ordered(air)) {
-        const Summary s = summary(air, *model, common_ground(air));
-        if (s.answered == 0) continue;
-        const Orders orders = orders_of(model->card);
-        if (once.answered > 0 && orders == Orders::single && s.relative_rmse < once.relative_rmse) lucky.push_back(model);
-        if (once.answered > 0 && (orders == Orders::several || orders == Orders::fitted) && s.relative_rmse > once.relative_rmse)
-            poor.push_back(model);
-        if (model->asking && picture_seconds(*model->asking) <= frame_seconds) live.push_back(model);
-    }
-    if (once.answered > 0) {
-        text += fmt::format(
-            " The cause is in the truth itself: light that was scattered once alone, by the reference and so without any other error, is "
-            "off by {} %. "
-            "That is the floor of single scattering, and what is above it is a model's own.",
-            percent_text(once.relative_rmse));
-        text +=
-            fmt::format(" Single-scattering models below the floor, by constants or approximations that make up for the missing light: {}.",
-                        names(lucky));
-        text += fmt::format(
-            " Models of several orders that are worse than exact single scattering, by their approximations or because they are fitted to "
-            "other air: {}.",
-            names(poor));
-    }
-    text += fmt::format(
-        "\n\nReal-time here is a picture of 200 x 100 directions for a new eye and sun within {:.0f} ms on one core: {}; the nearest "
-        "first.",
-        1000.0 * frame_seconds, names(live));
-    return text + "\n";
+    if (once.answered > 0) text += floor_explained(air, once.relative_rmse);
+    return text + "\n\n" + real_time(air) + "\n";
 }
 
 std::string range_line(const ModelCard& card) {
