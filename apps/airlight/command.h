@@ -30,6 +30,7 @@ public:
 Command atmosphere_command(CLI::App& airlight);
 Command bake_command(CLI::App& airlight);
 Command compare_command(CLI::App& airlight);
+Command fit_command(CLI::App& airlight);
 Command mie_command(CLI::App& airlight);
 Command models_command(CLI::App& airlight);
 Command probe_command(CLI::App& airlight);
