@@ -14,7 +14,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-constexpr std::string_view version = "hosek2012 fit 5";
+constexpr std::string_view version = "hosek2012 fit 8";
 
 // Elevations of the sun that are fitted, dense where the sky changes fastest, and others between them that judge the fit.
 constexpr double fitted_deg[] = {0.0, 1.0, 2.5, 5.0, 8.0, 12.0, 18.0, 26.0, 38.0, 52.0, 70.0, 90.0};
@@ -79,14 +79,32 @@ double rounded(double x) {
     return y;
 }
 
-// All curves of one wavelength: [albedo][turbidity], each begun where the one before ended.
+// The order in which turbidities are fitted, each with a neighbour before it: up from the one nearest to 2, then down. So air without
+// aerosol, whose sky says nothing of an aureole, keeps the aureole's shape of the air with some.
+std::vector<std::size_t> order_of(std::span<const double> turbidities) {
+    std::size_t middle = 0;
+    for (std::size_t i = 0; i < turbidities.size(); ++i)
+        if (std::abs(turbidities[i] - 2.0) < std::abs(turbidities[middle] - 2.0)) middle = i;
+    std::vector<std::size_t> order;
+    for (std::size_t i = middle; i < turbidities.size(); ++i) order.push_back(i);
+    for (std::size_t i = middle; i-- > 0;) order.push_back(i);
+    return order;
+}
+
+// All curves of one wavelength: [albedo][turbidity], each begun where a neighbour ended.
 Numbers curves_of(const HosekFitSettings& s, std::span<const FitView> views, const std::vector<Numbers>& truth, std::size_t wavelength) {
-    std::vector<HosekCurves> curves;
+    const std::vector<std::size_t> order = order_of(s.turbidities);
     const std::size_t turbidities = s.turbidities.size();
-    for (std::size_t i = 0; i < truth.size(); ++i) {
-        const HosekCurves* similar = i >= turbidities ? &curves[i - turbidities] : i > 0 ? &curves[i - 1] : nullptr;
-        curves.push_back(fitted_hosek(samples_of(views, truth[i], wavelength, s.wavelengths.size()), similar));
-    }
+    std::vector<HosekCurves> curves(truth.size());
+    for (std::size_t a = 0; a < s.albedos.size(); ++a)
+        for (const std::size_t t : order) {
+            const std::size_t i = a * turbidities + t;
+            const HosekCurves* similar = a > 0               ? &curves[i - turbidities]
+                                         : t > order.front() ? &curves[i - 1]
+                                         : t < order.front() ? &curves[i + 1]
+                                                             : nullptr;
+            curves[i] = fitted_hosek(samples_of(views, truth[i], wavelength, s.wavelengths.size()), similar);
+        }
     Numbers numbers;
     for (const HosekCurves& points : curves)
         for (const auto& coefficient : points)

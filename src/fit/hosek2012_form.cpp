@@ -102,16 +102,19 @@ public:
         return curves;
     }
 
-    // From `start`, to which flat directions are tied by a spring.
-    HosekCurves from(const HosekCurves& start, double spring, int evaluations) const {
+    // From `start`, to which flat directions are tied by a spring; stiffer for what the form is not linear in.
+    HosekCurves from(const HosekCurves& start, double spring, int evaluations, double stiffness = 1.0) const {
         const std::vector<double> x0 = parameters_of(start);
         const std::size_t n = x0.size(), m = rows_.size() + n;
+        std::vector<double> springs(n, spring * stiffness);
+        for (const std::size_t k : {C, D, F, G, H})
+            for (std::size_t i = 0; i < points_of(k); ++i) springs[place(k, i)] = spring;
         LeastSquares problem{.residuals = static_cast<int>(m), .evaluate = {}, .evaluations = evaluations, .tolerance = 1e-5};
         problem.evaluate = [&](std::span<const double> x, std::span<double> r) {
             const HosekCurves curves = curves_of(x);
             for (std::size_t i = 0; i < rows_.size(); ++i)
                 r[i] = rows_[i].weight * (value(rows_[i].geometry, at(curves, i)) / rows_[i].truth - 1.0);
-            for (std::size_t j = 0; j < n; ++j) r[rows_.size() + j] = spring * (x[j] - x0[j]);
+            for (std::size_t j = 0; j < n; ++j) r[rows_.size() + j] = springs[j] * (x[j] - x0[j]);
         };
         problem.differentiate = [&](std::span<const double> x, std::span<double> d) {
             std::fill(d.begin(), d.end(), 0.0);
@@ -125,7 +128,7 @@ public:
                         d[j * m + i] += rows_[i].weight / rows_[i].truth * by[k] * rows_[i].bezier[p] * chain;
                     }
             }
-            for (std::size_t j = 0; j < n; ++j) d[j * m + rows_.size() + j] = spring;
+            for (std::size_t j = 0; j < n; ++j) d[j * m + rows_.size() + j] = springs[j];
         };
         return curves_of(least_squares(problem, x0).parameters);
     }
@@ -180,18 +183,14 @@ double hosek_radiance(const HosekCurves& curves, double sun_zenith, double mu, d
 HosekCurves fitted_hosek(std::span<const HosekSample> samples, const HosekCurves* similar) {
     double unit = 0.0;
     for (const HosekSample& s : samples) unit += s.radiance / static_cast<double>(samples.size());
-    // A change of a parameter by one costs as much as a difference of 10 % in one direction. From a similar sky it costs four times
-    // as much: of many as good answers the near one makes what lies between two turbidities 4 % off instead of 11 %.
+    // A change of a parameter by one costs as much as a difference of 10 % in one direction. From a similar sky it costs ten times as
+    // much for what the form is not linear in: so what changes from one turbidity to the next is linear, and its mean is the sky between.
     constexpr double spring = 0.1;
     if (!similar) {
-        const HosekCurves alike = Search(samples, 1, unit).from(some_sky(unit), 0.03 * spring, 60);
+        const HosekCurves alike = Search(samples, 1, unit).from(some_sky(unit), 2.0 * spring, 60);
         return Search(samples, bezier_points, unit).from(alike, spring, 60);
     }
-    HosekCurves start = *similar;
-    double old = 0.0;
-    for (const HosekSample& s : samples) old += hosek_radiance(start, s.sun_zenith, s.mu, s.gamma) / static_cast<double>(samples.size());
-    for (double& point : start[mean]) point *= unit / old;
-    return Search(samples, bezier_points, unit).from(start, 4.0 * spring, 60);
+    return Search(samples, bezier_points, unit).from(*similar, spring, 60, 10.0);
 }
 
 }  // namespace airlight

@@ -20,6 +20,7 @@ struct Squares {
     double sum = 0.0;
     double count = 0.0;
     void add(double model, double truth, double error) {
+        if (error > 0.1 * truth) return;  // too noisy to be divided by
         sum += (std::pow(model - truth, 2) - error * error) / (truth * truth);
         count += 1.0;
     }
