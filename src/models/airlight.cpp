@@ -15,6 +15,7 @@
 #include "core/parallel.h"
 #include "models/airlight_tables.h"
 #include "models/list.h"
+#include "sky/view_ray.h"
 
 namespace airlight {
 
@@ -41,22 +42,16 @@ struct Pack {
 
 f32::Number number(double x) { return f32::Number::of(static_cast<float>(x)); }
 
-// The ray of a view within the air, over a distance from the eye; none if nothing of it is.
-std::optional<f32::AirlightRay> ray_of(const Shell& shell, const View& view, double distance_m = 1e30) {
-    Ray ray{view.altitude.value, std::cos(view.view_zenith), std::cos(view.sun_zenith), view_sun_cosine(view), distance_m};
-    if (!enter_air(shell, ray)) return std::nullopt;
-    if (view.altitude.value > shell.top_m) {
-        // The way to the air is empty.
-        const double r = shell.bottom_m + view.altitude.value, top = shell.bottom_m + shell.top_m;
-        ray.limit_m -= -r * std::cos(view.view_zenith) + top * ray.mu;
-    }
-    if (!(ray.limit_m > 0.0)) return std::nullopt;
+// The text's ray of a view.
+std::optional<f32::AirlightRay> text_ray_of(const Shell& shell, const View& view, double distance_m = 1e30) {
+    const std::optional<Ray> ray = ray_of(shell, view, distance_m);
+    if (!ray) return std::nullopt;
     f32::AirlightRay r;
-    r.h = f32::Length::of(static_cast<float>(ray.altitude_m));
-    r.mu = number(ray.mu);
-    r.mu_s = number(std::clamp(ray.mu_s, -1.0, 1.0));
-    r.nu = number(ray.nu);
-    r.limit = f32::Length::of(static_cast<float>(ray.limit_m));
+    r.h = f32::Length::of(static_cast<float>(ray->altitude_m));
+    r.mu = number(ray->mu);
+    r.mu_s = number(std::clamp(ray->mu_s, -1.0, 1.0));
+    r.nu = number(ray->nu);
+    r.limit = f32::Length::of(static_cast<float>(ray->limit_m));
     return r;
 }
 
@@ -88,7 +83,7 @@ private:
         std::vector<double> radiance;
         for (const Pack& pack : packs_) {
             f32::RadianceSpectrum seen(f32::RadianceSpectrum::Scalar::of(0.0f));
-            if (const auto ray = ray_of(pack.shell, view))
+            if (const auto ray = text_ray_of(pack.shell, view))
                 seen = with_phases(pack.optics, pack.tables.light(rule_, *ray), view_sun_cosine(view));
             radiance.insert(radiance.end(), seen.v, seen.v + pack.optics.wavelength_count);
         }
@@ -112,7 +107,7 @@ Result<AerialPerspective> AirlightSky::aerial_perspective(const View& view, Leng
     for (const Pack& pack : packs_) {
         f32::Spectrum transmittance(f32::Number(1.0));
         f32::RadianceSpectrum inscattered(f32::RadianceSpectrum::Scalar::of(0.0f));
-        if (auto ray = ray_of(pack.shell, view, distance.value)) {
+        if (auto ray = text_ray_of(pack.shell, view, distance.value)) {
             // Just short of the ground, whose light is not the air's.
             const f32::Length bottom = pack.tables.air.bottom;
             if (f32::meets_ground(ray->h, ray->mu, bottom))
@@ -214,7 +209,7 @@ private:
         const View view{altitude, zenith_of(i), sun_zenith_, pi * j / (azimuths - 1)};
         for (std::size_t p = 0; p < packs_.size(); ++p) {
             const AirlightTables& tables = packs_[p].tables;
-            const auto ray = ray_of(packs_[p].shell, view);
+            const auto ray = text_ray_of(packs_[p].shell, view);
             if (!ray) continue;
             const f32::AirlightLight light = tables.light(rule, *ray);
             Cell* cell = &cells_[p][static_cast<std::size_t>((i * azimuths + j) * (1 + tables.air.parts))];

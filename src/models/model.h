@@ -40,7 +40,7 @@ struct ModelOptions {
     int cie_type = 12;                     // cie2003: 1 to 15
     std::optional<double> clearness = {};  // perez1993: instead of the atmosphere's own
     std::optional<double> brightness = {};
-    std::string variant = {};              // of a model that its paper has in several forms; empty is its first
+    std::string variant = {};  // of a model that its paper has in several forms; empty is its first
     BakeSettings bake = {};
     CacheSettings cache = {};
     ReferenceSettings reference = {};

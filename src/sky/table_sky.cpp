@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/parallel.h"
+#include "sky/view_ray.h"
 #include "transport/ray_light.h"
 
 namespace airlight {
@@ -12,19 +13,6 @@ namespace airlight {
 namespace {
 
 constexpr int nodes_per_piece = 24;
-
-// The ray of a view within the air, over a distance from the eye; none if nothing of it is.
-std::optional<Ray> ray_of(const Shell& shell, const View& view, double distance_m = 1e300) {
-    Ray ray{view.altitude.value, std::cos(view.view_zenith), std::cos(view.sun_zenith), view_sun_cosine(view), distance_m};
-    if (!enter_air(shell, ray)) return std::nullopt;
-    if (view.altitude.value > shell.top_m) {
-        // The way to the air is empty.
-        const double r = shell.bottom_m + view.altitude.value, top = shell.bottom_m + shell.top_m;
-        ray.limit_m -= -r * std::cos(view.view_zenith) + top * ray.mu;
-    }
-    if (!(ray.limit_m > 0.0)) return std::nullopt;
-    return ray;
-}
 
 RayLight light_along(const Tables::Pack& pack, const Ray& ray, const Gathered& what) {
     static thread_local RayNodes nodes;

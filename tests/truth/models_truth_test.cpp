@@ -84,8 +84,8 @@ TEST_CASE("published models are as far from a measured sky as their published pr
         const auto sky = make_sky(e.key, truth::measured_sky(bands), truth::in_nm(wavelengths), {.turbidity = 2.53, .data = data_of(e)});
         REQUIRE(sky);
         const double to_measured = against_measured(**sky, measured), to_exact = against_exact(**sky, exact);
-        fmt::print("  {}: {:.1f} from the measured sky (expected {:.1f}), {:.1f} from the exact one ({:.1f})\n", e.key,
-                   to_measured, e.measured, to_exact, e.exact);
+        fmt::print("  {}: {:.1f} from the measured sky (expected {:.1f}), {:.1f} from the exact one ({:.1f})\n", e.key, to_measured,
+                   e.measured, to_exact, e.exact);
         CHECK(to_measured == doctest::Approx(e.measured).epsilon(e.within));
         CHECK(to_exact == doctest::Approx(e.exact).epsilon(e.within));
     }
