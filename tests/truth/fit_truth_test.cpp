@@ -46,7 +46,7 @@ TEST_CASE("the shipped coefficients of hosek2012 are within 10 % of the referenc
     const bool full = std::getenv("AIRLIGHT_TRUTH") != nullptr;
     const WavelengthGrid grid = WavelengthGrid::standard();
     ModelOptions options;
-    options.reference.paths = full ? 8192 : 512;
+    options.reference.paths = full ? 8192 : 2048;
     for (const double turbidity : full ? std::vector<double>{2.0, 2.5, 3.0, 4.0, 4.5, 5.5, 6.0} : std::vector<double>{2.5, 6.0}) {
         Atmosphere air = *with_turbidity(*preset("earth-clear"), turbidity);
         air.ground_albedo = SpectrumOf<Number>::constant(0.3);
