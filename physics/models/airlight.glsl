@@ -1,5 +1,5 @@
 // Airlight's own sky: single scattering marched along the ray, higher orders from a small table of their source.
-// What it is and leaves out: src/models/airlight.cpp. Theory: docs/theory.md, section 10.
+// What it is and leaves out: src/models/airlight.cpp. Theory: docs/theory.md, section 10.1.
 //
 // A ray is cut where its integrand has an edge: at its perigee, where it enters and leaves the planet's shadow, where a density
 // jumps. On each piece the nodes of Gauss's rule crowd, in altitude, quadratically towards the lower end. Columns of air up to a

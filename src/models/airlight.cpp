@@ -1,4 +1,4 @@
-// airlight: single scattering marched along each ray, higher orders from a small table of their source. docs/theory.md, section 10
+// airlight: single scattering marched along each ray, higher orders from a small table of their source. docs/theory.md, section 10.1
 //
 //   computes     radiance, transmittance, aerial perspective, irradiance of the ground; from the ground to space, the sun to 30
 //                degrees below the horizon

@@ -133,16 +133,11 @@ std::size_t AirlightTables::bytes() const {
 }
 
 f32::AirlightLight AirlightTables::light(const f32::AirlightRule& rule, const f32::AirlightRay& ray) const {
-    const Table2D<f32::Spectrum> by_altitude(densities, air.density_axis.texels, 2);
-    const PackedTable2D<f32::Spectrum> depths(transmittance.values.data(), transmittance.size[0], transmittance.size[1]);
-    const PackedTable3D<f32::Spectrum> sources(source.values.data(), source.size[0], source.size[1], source.size[2]);
-    const PackedTable2D<f32::Spectrum> ground(diffuse.values.data(), diffuse.size[0], 1);
-    return f32::airlight_light(air, rule, by_altitude, depths, sources, ground, ray);
+    return f32::airlight_light(air, rule, density_table(), transmittance_table(), source_table(), diffuse_table(), ray);
 }
 
 f32::IrradianceSpectrum AirlightTables::diffuse_on_ground(float mu_s) const {
-    const PackedTable2D<f32::Spectrum> ground(diffuse.values.data(), diffuse.size[0], 1);
-    return f32::airlight_diffuse(air, ground, f32::Number::of(mu_s)) * air.solar_irradiance;
+    return f32::airlight_diffuse(air, diffuse_table(), f32::Number::of(mu_s)) * air.solar_irradiance;
 }
 
 f32::AirlightRule airlight_rule(int nodes) {

@@ -1,6 +1,6 @@
 // What the model `airlight` reads at run time: the tables of an atmosphere at up to sixteen wavelengths in at most 4 MiB,
 // and the small structures of physics/models/airlight.glsl, ready for a GPU's textures and blocks as for the CPU.
-// Theory: docs/theory.md, section 10. Uses transport's tables, from which these are made.
+// Theory: docs/theory.md, section 10.1. Uses transport's tables, from which these are made.
 #pragma once
 
 #include <array>
@@ -27,6 +27,14 @@ struct AirlightTables {
     PackedTexels diffuse;                  // logarithms of the irradiance on the ground, [sun]
 
     std::size_t bytes() const;
+
+    // As the text reads them.
+    Table2D<f32::Spectrum> density_table() const { return {densities, air.density_axis.texels, 2}; }
+    PackedTable2D<f32::Spectrum> transmittance_table() const {
+        return {transmittance.values.data(), transmittance.size[0], transmittance.size[1]};
+    }
+    PackedTable3D<f32::Spectrum> source_table() const { return {source.values.data(), source.size[0], source.size[1], source.size[2]}; }
+    PackedTable2D<f32::Spectrum> diffuse_table() const { return {diffuse.values.data(), diffuse.size[0], 1}; }
 
     f32::AirlightLight light(const f32::AirlightRule& rule, const f32::AirlightRay& ray) const;
     // Of a level surface on the ground, by the whole sky but the sun's disk.
