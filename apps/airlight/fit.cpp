@@ -28,7 +28,6 @@ struct FitOptions {
     std::string turbidities;
     std::string albedos = "0,1";
     std::string wavelengths = "standard";
-    double altitude_m = 0.0;
     std::string sizes = "32x12x24x24";
     int orders = BakeSettings{}.orders;
     std::int64_t paths = 4096;
@@ -44,7 +43,6 @@ struct Asked {
     std::vector<double> turbidities;  // empty: the atmosphere's own
     std::vector<double> albedos;
     TruthSettings truth;
-    Length altitude;
 };
 
 // What every fit gives: the file, and how far it is from the truth.
@@ -91,7 +89,7 @@ Result<Asked> asked_of(const FitOptions& given) {
     if (!grid) return at("--wavelengths", grid.error());
     const Result<TruthSettings> truth = truth_of(given);
     if (!truth) return truth.error();
-    Asked asked{std::move(air->atmosphere), {grid->begin(), grid->end()}, {}, {}, *truth, given.altitude_m * m};
+    Asked asked{std::move(air->atmosphere), {grid->begin(), grid->end()}, {}, {}, *truth};
     if (!given.turbidities.empty()) {
         Result<std::vector<double>> turbidities = rising_numbers(given.turbidities, 1.0, 1000.0, "--turbidities");
         if (!turbidities) return turbidities.error();
@@ -100,9 +98,6 @@ Result<Asked> asked_of(const FitOptions& given) {
     Result<std::vector<double>> albedos = rising_numbers(given.albedos, 0.0, 1.0, "--albedos");
     if (!albedos) return albedos.error();
     asked.albedos = std::move(*albedos);
-    if (const Result<Done> ok = check_view(asked.altitude, 0.0, 0.0, 0.0); !ok) return at("--altitude-m", ok.error());
-    if (asked.altitude > asked.atmosphere.top_altitude)
-        return Error{"--altitude-m", fmt::format("{:g} m is above the air, where there is no sky to fit", given.altitude_m), ""};
     return asked;
 }
 
@@ -114,7 +109,8 @@ struct Workplace {
 };
 
 Result<Fitted> hosek(const Asked& asked, const Workplace& place) {
-    HosekFitSettings settings{asked.turbidities, asked.albedos, asked.wavelengths, asked.altitude, asked.truth};
+    // The model answers for an eye on the ground alone, and its file has no place for another altitude.
+    HosekFitSettings settings{asked.turbidities, asked.albedos, asked.wavelengths, 0.0 * m, asked.truth};
     if (settings.turbidities.empty()) {
         const Result<double> own = turbidity(asked.atmosphere);
         if (!own) return own.error();
@@ -180,7 +176,6 @@ Command fit_command(CLI::App& airlight) {
     app->add_option("--aerosol", given->air.aerosol, "what the place's aerosol is, where the report does not say")
         ->option_text("<type>")
         ->capture_default_str();
-    app->add_option("--altitude-m", given->altitude_m, "height of the eye above the ground")->option_text("<m>")->capture_default_str();
     app->add_option("--turbidities", given->turbidities, "2,4,6: the aerosol scaled to each (default: the atmosphere's own)")
         ->option_text("<list>");
     app->add_option("--albedos", given->albedos, "of the ground")->option_text("<list>")->capture_default_str();

@@ -8,8 +8,6 @@ airlight_cli_test("fit: turbidities that do not rise are refused" EXIT 1 ERR "^-
   COMMAND fit hosek --atmosphere earth-clear --turbidities 4,2 ${small_fit})
 airlight_cli_test("fit: a turbidity of air without aerosol is refused" EXIT 1 ERR "^earth-rayleigh: has no aerosol, so its turbidity cannot be 2$"
   COMMAND fit hosek --atmosphere earth-rayleigh --turbidities 1,2 ${small_fit})
-airlight_cli_test("fit: an eye above the air is refused" EXIT 1 ERR "^--altitude-m: 400000 m is above the air"
-  COMMAND fit hosek --atmosphere earth-clear --altitude-m 4e5 ${small_fit})
 airlight_cli_test("fit: a file in a folder that is not there is refused before the fit" EXIT 1 ERR "^absent/fit\\.csv: cannot be written: No such file"
   COMMAND fit hosek --atmosphere earth-clear -o absent/fit.csv)
 airlight_cli_test("fit: no output is wrong usage" EXIT 2 ERR "^airlight fit: --output is required$" COMMAND fit hosek --atmosphere earth-clear)
