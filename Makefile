@@ -36,7 +36,7 @@ truth: build
 
 models: build
 	build/release/apps/airlight/airlight compare --atmosphere earth-clear,earth-hazy --eyes-m 0,2000,10000,30000,400000 \
-	  --suns 0,30,60,75,85,90,96 --paths 4096 --table docs/models.md -o out/models
+	  --suns 0,30,60,75,85,90,96 --paths 8192 --table docs/models.md -o out/models
 
 bench: build
 	tools/run-benchmarks build/release/benchmarks
