@@ -6,7 +6,7 @@
 //   parameters   those of the tables that it is made of (models/tables.cpp); constituents with more than seven jumps of density
 //                altogether lose the upper ones
 //   cost         a bake of tables (seconds a pack of sixteen wavelengths, or from the cache), packed into 16 bits;
-//                some microseconds a ray, some tenths of one a direction of a dome
+//                some ten microseconds a ray, some tenths of one a direction of a dome
 //   reference    the text is physics/models/airlight.glsl; accuracy and speed: docs/models.md
 #include <algorithm>
 #include <cmath>
@@ -15,6 +15,7 @@
 #include "core/parallel.h"
 #include "models/airlight_tables.h"
 #include "models/list.h"
+#include "sky/phased_light.h"
 #include "sky/view_ray.h"
 
 namespace airlight {
@@ -53,17 +54,6 @@ std::optional<f32::AirlightRay> text_ray_of(const Shell& shell, const View& view
     r.nu = number(ray->nu);
     r.limit = f32::Length::of(static_cast<float>(ray->limit_m));
     return r;
-}
-
-// The light of a ray with the phase functions of the angle to the sun.
-f32::RadianceSpectrum with_phases(const AirOptics& optics, const f32::AirlightLight& light, double nu) {
-    f32::RadianceSpectrum radiance = light.multiple;
-    for (std::size_t p = 0; p < optics.parts.size(); ++p) {
-        if (!optics.parts[p].scatters) continue;
-        const f64::PhaseSpectrum phase = optics.parts[p].phase.at(nu);
-        for (int w = 0; w < pack_size; ++w) radiance.v[w] += light.single[p].v[w] * static_cast<float>(phase.v[w]);
-    }
-    return radiance;
 }
 
 class AirlightSky : public PublishedSky {

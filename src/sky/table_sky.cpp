@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/parallel.h"
+#include "sky/phased_light.h"
 #include "sky/view_ray.h"
 #include "transport/ray_light.h"
 
@@ -22,17 +23,6 @@ RayLight light_along(const Tables::Pack& pack, const Ray& ray, const Gathered& w
 RayLight light_along(const Tables::Pack& pack, const Ray& ray) {
     return light_along(
         pack, ray, {.single = true, .source = &pack.tables.source, .diffuse_on_ground = &pack.tables.irradiance, .direct_on_ground = true});
-}
-
-// Radiance in a direction from light without phase functions, at the wavelengths of the pack.
-AIRLIGHT_INLINE f32::RadianceSpectrum with_phases(const AirOptics& optics, const RayLight& light, double nu) {
-    f32::RadianceSpectrum radiance = light.multiple;
-    for (std::size_t p = 0; p < optics.parts.size(); ++p) {
-        if (!optics.parts[p].scatters) continue;
-        const f64::PhaseSpectrum phase = optics.parts[p].phase.at(nu);
-        for (int w = 0; w < pack_size; ++w) radiance.v[w] += light.single[p].v[w] * static_cast<float>(phase.v[w]);
-    }
-    return radiance;
 }
 
 }  // namespace
