@@ -25,6 +25,10 @@ Buffer::Buffer(std::size_t size) : Buffer(std::vector<std::byte>(size)) {}
 void Buffer::bind_storage(unsigned binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name()); }
 void Buffer::bind_uniform(unsigned binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, name()); }
 
+void Buffer::write(std::span<const std::byte> bytes, std::size_t offset) const {
+    glNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+}
+
 void Buffer::read(std::span<std::byte> bytes) const {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glGetNamedBufferSubData(name(), 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());

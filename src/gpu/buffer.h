@@ -23,6 +23,9 @@ public:
     void bind_storage(unsigned binding) const;
     void bind_uniform(unsigned binding) const;
 
+    // Replaces what stands at `offset`; all of it must fit.
+    void write(std::span<const std::byte> bytes, std::size_t offset = 0) const;
+
     // Copies from its beginning to `bytes`, which may not be longer than it; waits for the GPU.
     void read(std::span<std::byte> bytes) const;
 

@@ -2,6 +2,8 @@
 // Uses core; knows no physics.
 #pragma once
 
+#include <memory>
+#include <span>
 #include <string>
 
 #include "core/result.h"
@@ -12,8 +14,8 @@ namespace airlight::gpu {
 // every buffer, texture and program must be gone before it is.
 class Context {
 public:
-    // Fails, with one reason, if there is no EGL display or it does not offer OpenGL 4.5.
-    // What the driver reports as an error in debug output is printed on stderr with its number.
+    // Fails, with one reason, if there is no EGL display, it does not offer OpenGL 4.5, or a limit of the driver is too low.
+    // What the driver reports as an error or as a performance warning is printed on stderr with its number.
     static Result<Context> create();
 
     Context(Context&& other) noexcept;
@@ -22,15 +24,30 @@ public:
 
     // Who renders: "llvmpipe (LLVM 15.0.6, 256 bits)".
     std::string renderer() const;
-    // Errors that the driver has reported since the context was made.
-    int errors() const { return *errors_; }
+    // Errors and performance warnings that the driver has reported since the context was made: 0, or there is a bug of ours.
+    int errors() const;
+    // Fails if the GPU was reset since the context was made (a driver that cannot tell never does): what it held is gone.
+    Result<Done> check() const;
 
 private:
-    Context(void* display, void* context, int* errors) : display_(display), context_(context), errors_(errors) {}
+    struct Reports;
+    Context(void* display, void* context, std::unique_ptr<Reports> reports);
 
     void* display_;
     void* context_;
-    int* errors_;  // on the heap: the driver keeps its address
+    std::unique_ptr<Reports> reports_;  // the driver keeps its address
 };
+
+// What a driver must offer beyond what OpenGL 4.5 promises: the integer limit `name` of glGetIntegerv is `least` or more.
+struct Limit {
+    unsigned name;
+    int least;
+    const char* what;  // "storage blocks in a vertex shader"
+};
+// Fails, naming the first limit that the driver of the current context misses and what it offers.
+Result<Done> check_limits(std::span<const Limit> limits);
+
+// The error of a context that glGetGraphicsResetStatus() calls lost (`status` is not GL_NO_ERROR).
+Error lost_context(unsigned status);
 
 }  // namespace airlight::gpu

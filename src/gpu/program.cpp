@@ -31,13 +31,13 @@ std::string program_log(GLuint program) {
 // Compiles one stage and attaches it; the program keeps it alive.
 std::optional<Error> attach(GLuint program, std::string_view name, const Stage& stage) {
     const Handle<DeleteShader> shader(glCreateShader(stage.type));
-    const GLchar* text = stage.text.data();
-    const auto length = static_cast<GLint>(stage.text.size());
+    const GLchar* text = stage.text.text.data();
+    const auto length = static_cast<GLint>(stage.text.text.size());
     glShaderSource(shader.name(), 1, &text, &length);
     glCompileShader(shader.name());
     GLint compiled = 0;
     glGetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
-    if (!compiled) return Error{std::string(name), "the driver refuses it: " + shader_log(shader.name()), ""};
+    if (!compiled) return Error{std::string(name), "the driver refuses it:\n" + located(shader_log(shader.name()), stage.text, name), ""};
     glAttachShader(program, shader.name());
     return std::nullopt;
 }
@@ -57,7 +57,7 @@ Result<Program> Program::link(std::string_view name, std::span<const Stage> stag
     return program;
 }
 
-Result<Program> Program::compute(std::string_view name, std::string_view text) {
+Result<Program> Program::compute(std::string_view name, const ShaderText& text) {
     const Stage stage{GL_COMPUTE_SHADER, text};
     return link(name, {&stage, 1});
 }

@@ -8,6 +8,7 @@
 
 #include "core/result.h"
 #include "gpu/handle.h"
+#include "gpu/shader_text.h"
 
 namespace airlight::gpu {
 
@@ -18,14 +19,15 @@ struct DeleteProgram {
 // One stage: GL_COMPUTE_SHADER, GL_VERTEX_SHADER or GL_FRAGMENT_SHADER, and its whole text.
 struct Stage {
     unsigned type;
-    std::string_view text;
+    ShaderText text;
 };
 
 class Program {
 public:
-    // Compiles and links. Fails with the driver's own messages, named by `name` ("sky.frag").
+    // Compiles and links. Fails with the driver's own messages, each with the file and the line that it is about;
+    // the shaders' own text is called `name` ("sky.frag").
     static Result<Program> link(std::string_view name, std::span<const Stage> stages);
-    static Result<Program> compute(std::string_view name, std::string_view text);
+    static Result<Program> compute(std::string_view name, const ShaderText& text);
 
     void use() const;
 

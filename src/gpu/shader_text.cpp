@@ -1,7 +1,7 @@
 #include "gpu/shader_text.h"
 
 #include <algorithm>
-#include <set>
+#include <regex>
 
 #include "core/files.h"
 
@@ -13,31 +13,62 @@ constexpr std::string_view directive = "#include \"";
 
 std::string_view first_line(std::string_view text) { return text.substr(0, text.find('\n')); }
 
-Result<Done> resolve(std::string_view text, const std::filesystem::path& root, std::set<std::string>& seen, std::string& out) {
-    while (!text.empty()) {
+std::string line_directive(int line, std::size_t file) { return "#line " + std::to_string(line) + ' ' + std::to_string(file) + '\n'; }
+
+std::string place(const ShaderText& shader, std::size_t file, int line) {
+    return file ? shader.files[file] + ':' + std::to_string(line) : "line " + std::to_string(line);
+}
+
+Result<Done> resolve(std::string_view text, std::size_t file, const std::filesystem::path& root, ShaderText& out);
+
+Result<Done> include(const std::string& path, const std::filesystem::path& root, ShaderText& out) {
+    if (std::find(out.files.begin(), out.files.end(), path) != out.files.end()) return Done{};
+    const Result<std::string> text = read_file(root / path);
+    if (!text) return text.error();
+    out.files.push_back(path);
+    const std::size_t file = out.files.size() - 1;
+    out.text += line_directive(1, file);
+    return resolve(*text, file, root, out);
+}
+
+Result<Done> resolve(std::string_view text, std::size_t file, const std::filesystem::path& root, ShaderText& out) {
+    for (int number = 1; !text.empty(); ++number) {
         const std::string_view line = first_line(text);
         text.remove_prefix(std::min(line.size() + 1, text.size()));
         if (!line.starts_with(directive)) {
-            out.append(line).append("\n");
+            out.text.append(line).append("\n");
             continue;
         }
-        const std::string path(line.substr(directive.size(), line.rfind('"') - directive.size()));
-        if (!seen.insert(path).second) continue;
-        const Result<std::string> file = read_file(root / path);
-        if (!file) return file.error();
-        const Result<Done> done = resolve(*file, root, seen, out);
-        if (!done) return done;
+        const Result<Done> done = include(std::string(line.substr(directive.size(), line.rfind('"') - directive.size())), root, out);
+        if (!done) return at(place(out, file, number), done.error());
+        out.text += line_directive(number + 1, file);
     }
     return Done{};
 }
 
 }  // namespace
 
-Result<std::string> resolve_includes(std::string_view text, const std::filesystem::path& root) {
-    std::set<std::string> seen;
-    std::string out;
-    const Result<Done> done = resolve(text, root, seen, out);
+Result<ShaderText> resolve_includes(std::string_view text, const std::filesystem::path& root) {
+    ShaderText out("");
+    const Result<Done> done = resolve(text, 0, root, out);
     if (!done) return done.error();
+    return out;
+}
+
+std::string located(std::string_view message, const ShaderText& shader, std::string_view name) {
+    static const std::regex place_of(R"(^(\d+)(?::(\d+)\(\d+\)|\((\d+)\) ?))");
+    std::string out;
+    while (!message.empty()) {
+        std::string line(first_line(message));
+        message.remove_prefix(std::min(line.size() + 1, message.size()));
+        std::smatch found;
+        if (std::regex_search(line, found, place_of)) {
+            const std::size_t file = std::stoul(found[1]);
+            const std::string where = file > 0 && file < shader.files.size() ? shader.files[file] : std::string(name);
+            line = where + ':' + (found[2].matched ? found[2] : found[3]).str() + found.suffix().str();
+        }
+        out.append(line).append("\n");
+    }
     return out;
 }
 

@@ -6,11 +6,41 @@ namespace airlight::gpu {
 
 namespace {
 
-unsigned create(TextureSize size) {
+struct Layout {
+    GLenum stored;    // GL_RGBA32F
+    GLenum channels;  // GL_RGBA
+    int count;
+};
+
+Layout layout_of(TextureFormat format) {
+    switch (format) {
+        case TextureFormat::rgba32f:
+            return {GL_RGBA32F, GL_RGBA, 4};
+        case TextureFormat::rgba16f:
+            return {GL_RGBA16F, GL_RGBA, 4};
+        case TextureFormat::rgba8:
+            return {GL_RGBA8, GL_RGBA, 4};
+        case TextureFormat::srgb8:
+            return {GL_SRGB8_ALPHA8, GL_RGBA, 4};
+        case TextureFormat::rg8:
+            return {GL_RG8, GL_RG, 2};
+        case TextureFormat::rg16:
+            return {GL_RG16, GL_RG, 2};
+        case TextureFormat::r32f:
+            return {GL_R32F, GL_RED, 1};
+        case TextureFormat::depth32f:
+            return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, 1};
+        case TextureFormat::depth24:
+            return {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, 1};
+    }
+    return {};
+}
+
+unsigned create(TextureSize size, GLenum stored) {
     GLuint name = 0;
     glCreateTextures(size.depth ? GL_TEXTURE_3D : GL_TEXTURE_2D, 1, &name);
-    if (size.depth) glTextureStorage3D(name, 1, GL_RGBA32F, size.width, size.height, size.depth);
-    else glTextureStorage2D(name, 1, GL_RGBA32F, size.width, size.height);
+    if (size.depth) glTextureStorage3D(name, 1, stored, size.width, size.height, size.depth);
+    else glTextureStorage2D(name, 1, stored, size.width, size.height);
     for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) glTextureParameteri(name, axis, GL_CLAMP_TO_EDGE);
     glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -19,21 +49,27 @@ unsigned create(TextureSize size) {
 
 }  // namespace
 
+int channels(TextureFormat format) { return layout_of(format).count; }
+
 void DeleteTexture::operator()(unsigned name) const { glDeleteTextures(1, &name); }
 
-Texture::Texture(TextureSize size, std::span<const float> texels) : size_(size), handle_(create(size)) {
+Texture::Texture(TextureSize size, std::span<const float> texels, TextureFormat format)
+    : size_(size), format_(format), handle_(create(size, layout_of(format).stored)) {
     if (texels.empty()) return;
-    if (size.depth) glTextureSubImage3D(name(), 0, 0, 0, 0, size.width, size.height, size.depth, GL_RGBA, GL_FLOAT, texels.data());
-    else glTextureSubImage2D(name(), 0, 0, 0, size.width, size.height, GL_RGBA, GL_FLOAT, texels.data());
+    const GLenum layout = layout_of(format).channels;
+    if (size.depth) glTextureSubImage3D(name(), 0, 0, 0, 0, size.width, size.height, size.depth, layout, GL_FLOAT, texels.data());
+    else glTextureSubImage2D(name(), 0, 0, 0, size.width, size.height, layout, GL_FLOAT, texels.data());
 }
 
 void Texture::bind_sampler(unsigned binding) const { glBindTextureUnit(binding, name()); }
 
-void Texture::bind_image(unsigned binding) const { glBindImageTexture(binding, name(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_RGBA32F); }
+void Texture::bind_image(unsigned binding) const {
+    glBindImageTexture(binding, name(), 0, GL_TRUE, 0, GL_READ_WRITE, layout_of(format_).stored);
+}
 
 void Texture::read(std::span<float> texels) const {
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-    glGetTextureImage(name(), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(texels.size_bytes()), texels.data());
+    glGetTextureImage(name(), 0, layout_of(format_).channels, GL_FLOAT, static_cast<GLsizei>(texels.size_bytes()), texels.data());
 }
 
 }  // namespace airlight::gpu

@@ -1,4 +1,4 @@
-// A table of four floats a texel on the GPU, two- or three-dimensional, read with linear filtering and clamped edges.
+// Texels on the GPU, two- or three-dimensional, read with linear filtering and clamped edges unless a Sampler says otherwise.
 // Uses core; knows no physics.
 #pragma once
 
@@ -19,23 +19,29 @@ struct TextureSize {
     int depth = 0;
 };
 
+// What a texel holds. Values in [0, 1] are stored in 8 or 16 bits, srgb8 with sRGB's transfer function (linear when read).
+enum class TextureFormat { rgba32f, rgba16f, rgba8, srgb8, rg8, rg16, r32f, depth32f, depth24 };
+int channels(TextureFormat format);
+
 class Texture {
 public:
-    // `texels` has 4 floats for each texel, width fastest, then height; empty leaves the texture undefined.
-    explicit Texture(TextureSize size, std::span<const float> texels = {});
+    // `texels` has channels(format) floats for each texel, width fastest, then height; empty leaves the texture undefined.
+    explicit Texture(TextureSize size, std::span<const float> texels = {}, TextureFormat format = TextureFormat::rgba32f);
 
     // Binds it to `layout(binding = ...) uniform sampler2D` (or sampler3D), or to an image that a shader writes.
     void bind_sampler(unsigned binding) const;
     void bind_image(unsigned binding) const;
 
-    // Copies all texels, 4 floats each; waits for the GPU.
+    // Copies all texels as floats, channels(format) each, the first row of texture coordinates first; waits for the GPU.
     void read(std::span<float> texels) const;
 
     TextureSize size() const { return size_; }
+    TextureFormat format() const { return format_; }
     unsigned name() const { return handle_.name(); }
 
 private:
     TextureSize size_;
+    TextureFormat format_;
     Handle<DeleteTexture> handle_;
 };
 

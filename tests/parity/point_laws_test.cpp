@@ -29,7 +29,7 @@ std::string samplers_of(const PointLaw& law) {
 }
 
 // A compute shader that calls one function of the text on each row of arguments.
-std::string shader_of(const PointLaw& law) {
+gpu::ShaderText shader_of(const PointLaw& law) {
     const std::string text = fmt::format(R"(#version 450 core
 #include "physics/readings/glsl.glsl"
 #include "physics/readings/text.inc"
