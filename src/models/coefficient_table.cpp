@@ -43,7 +43,8 @@ std::string_view take_line(std::string_view& text) {
 
 }  // namespace
 
-Result<CoefficientTable> CoefficientTable::parse(std::string_view text, std::string_view where, std::span<const std::string_view> columns) {
+Result<CoefficientTable> CoefficientTable::parse(std::string_view text, std::string_view where, std::span<const std::string_view> columns,
+                                                 std::span<const std::string_view> stated) {
     CoefficientTable table;
     table.where_ = where;
     while (!text.empty()) {
@@ -53,6 +54,14 @@ Result<CoefficientTable> CoefficientTable::parse(std::string_view text, std::str
         std::vector<std::string> cells = cells_of(line);
         const std::string place = fmt::format("{}:{}", where, table.lines_);
         if (table.columns_.empty()) {
+            if (const std::size_t is = line.find(" = "); is != std::string_view::npos) {
+                const std::string_view name = line.substr(0, is);
+                if (std::find(stated.begin(), stated.end(), name) == stated.end())
+                    return Error{place, fmt::format("\"{}\" is nothing that this file may state", name.substr(0, 120)), ""};
+                if (table.find(name)) return Error{place, fmt::format("{} is stated twice", name), ""};
+                table.stated_.push_back({table.lines_, std::string(name), std::string(line.substr(is + 3))});
+                continue;
+            }
             if (!std::equal(cells.begin(), cells.end(), columns.begin(), columns.end()))
                 return Error{place,
                              fmt::format("the columns are \"{}\": they must be \"{}\"", line.substr(0, 120), fmt::join(columns, ",")), ""};
@@ -67,6 +76,25 @@ Result<CoefficientTable> CoefficientTable::parse(std::string_view text, std::str
     return table;
 }
 
+const CoefficientTable::Stated* CoefficientTable::find(std::string_view name) const {
+    const auto found = std::find_if(stated_.begin(), stated_.end(), [&](const Stated& s) { return s.name == name; });
+    return found == stated_.end() ? nullptr : &*found;
+}
+
+std::optional<std::string> CoefficientTable::stated(std::string_view name) const {
+    const Stated* found = find(name);
+    return found ? std::optional(found->value) : std::nullopt;
+}
+
+Result<double> CoefficientTable::stated_number(std::string_view name, double otherwise, double low, double high) const {
+    const Stated* found = find(name);
+    if (!found) return otherwise;
+    const Result<double> value = parse_number(found->value);
+    if (value && *value >= low && *value <= high) return *value;
+    return Error{fmt::format("{}:{}", where_, found->line),
+                 fmt::format("{} = {} is out of range: it must be a number from {:g} to {:g}", name, found->value, low, high), ""};
+}
+
 Result<double> CoefficientTable::number(std::size_t row, std::size_t column) const {
     const Result<double> value = parse_number(rows_[row].cells[column]);
     if (!value) return error(row, fmt::format("{} = \"{}\" is not a finite number", columns_[column], rows_[row].cells[column]));
@@ -76,6 +104,10 @@ Result<double> CoefficientTable::number(std::size_t row, std::size_t column) con
 Error CoefficientTable::error(std::size_t row, std::string what, std::string remedy) const {
     return {fmt::format("{}:{}", where_, row < rows_.size() ? rows_[row].line : lines_), std::move(what), std::move(remedy)};
 }
+
+Result<double> altitude_m_of(const CoefficientTable& table) { return table.stated_number(stated_altitude, 0.0, 0.0, 1e9); }
+
+std::string altitude_line(double altitude_m) { return altitude_m == 0.0 ? "" : fmt::format("{} = {}\n", stated_altitude, altitude_m); }
 
 Result<CoefficientText> coefficient_text(std::string_view model, const std::filesystem::path& given, std::string_view what_it_is) {
     if (!given.empty()) {

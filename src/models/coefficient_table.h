@@ -1,8 +1,10 @@
-// Coefficients of fitted models as users supply them: CSV with comments (#) and a line that names the columns.
+// Coefficients of fitted models as users supply them: CSV with comments (#) and a line that names the columns. Before it may stand
+// what holds for the whole file, a line each: altitude_m = 20000.
 // Every fault is an error with its line. Uses core and units; knows no model.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,9 +16,18 @@ namespace airlight {
 
 class CoefficientTable {
 public:
-    // Fails if the first line that is no comment does not name exactly these columns, or a row has another number of cells.
-    //   where  what errors name: the path of the file
-    static Result<CoefficientTable> parse(std::string_view text, std::string_view where, std::span<const std::string_view> columns);
+    // Fails if the first line that is neither a comment nor stated does not name exactly these columns, or a row has another
+    // number of cells.
+    //   where   what errors name: the path of the file
+    //   stated  the names of what may be stated for the whole file
+    static Result<CoefficientTable> parse(std::string_view text, std::string_view where, std::span<const std::string_view> columns,
+                                          std::span<const std::string_view> stated = {});
+
+    // What is stated under a name; none if nothing is.
+    std::optional<std::string> stated(std::string_view name) const;
+
+    // The number stated under a name, or else `otherwise`. Fails unless it is a number from `low` to `high`.
+    Result<double> stated_number(std::string_view name, double otherwise, double low, double high) const;
 
     std::size_t size() const { return rows_.size(); }
     const std::string& word(std::size_t row, std::size_t column) const { return rows_[row].cells[column]; }
@@ -32,11 +43,25 @@ private:
         int line;
         std::vector<std::string> cells;
     };
+    struct Stated {
+        int line;
+        std::string name, value;
+    };
+    const Stated* find(std::string_view name) const;
+
     std::string where_;
+    std::vector<Stated> stated_;
     std::vector<std::string> columns_;
     std::vector<Row> rows_;
     int lines_ = 0;
 };
+
+// The altitude of the eye that a file of one altitude is for, stated as altitude_m; the ground if it states none.
+inline constexpr std::string_view stated_altitude = "altitude_m";
+Result<double> altitude_m_of(const CoefficientTable& table);
+
+// A file's line that states it; none for the ground.
+std::string altitude_line(double altitude_m);
 
 // The text of a model's coefficients: of the file that the user gave, or else the fit that this project ships (data/<model>_fit.csv,
 // compiled in). Fails, naming --data, if there is neither.

@@ -21,6 +21,7 @@
 #include "models/hosek2012_data.h"
 #include "models/list.h"
 #include "models/turbidity.h"
+#include "models/wavelength_mix.h"
 #include "physics/models/f64.h"
 
 namespace airlight {
@@ -37,16 +38,10 @@ constexpr ModelCard card{.key = "hosek2012",
                          .highest_sun_zenith_deg = 90.0,
                          .highest_view_zenith_deg = 90.0};
 
-// Where a wavelength of the sky lies between those of the data that are used.
-struct Mix {
-    std::size_t low, high;
-    double weight;  // of high
-};
-
 // The data for one atmosphere: control points at the wavelengths that are used.
 struct Bands {
     std::vector<Hosek2012Points> points;
-    std::vector<Mix> mixes;  // one a wavelength of the sky
+    std::vector<WavelengthMix> mixes;  // one a wavelength of the sky
 };
 
 // One reading's coefficients at a sun.
@@ -107,7 +102,7 @@ private:
             if (below_horizon(asked[i])) std::fill_n(out + i * n, n, 0.0f);
     }
 
-    std::vector<Mix> mixes_;
+    std::vector<WavelengthMix> mixes_;
     BatchSun sun_;
     std::vector<batch::Hosek2012> bands_;
 };
@@ -134,31 +129,14 @@ private:
         std::vector<double> seen, radiance;
         for (const Hosek2012Points& points : bands_.points)
             seen.push_back(f64::hosek2012_radiance(parameters<f64::Hosek2012, f64::Number>(points, view.sun_zenith), mu, nu, gamma).value);
-        for (const Mix& mix : bands_.mixes) radiance.push_back(std::max(0.0, std::lerp(seen[mix.low], seen[mix.high], mix.weight)));
+        for (const WavelengthMix& mix : bands_.mixes)
+            radiance.push_back(std::max(0.0, std::lerp(seen[mix.low], seen[mix.high], mix.weight)));
         return radiance;
     }
 
     Bands bands_;
     Reference air_;
 };
-
-// Fails if a wavelength lies outside of the data's.
-Result<Done> covers(const Hosek2012Data& data, std::span<const Wavelength> wavelengths) {
-    for (const Wavelength w : wavelengths)
-        if (!(w.in(nm) >= data.wavelengths_nm.front() && w.in(nm) <= data.wavelengths_nm.back()))
-            return Error{std::string(card.key),
-                         fmt::format("does not answer {:g} nm: its data is for {:g} to {:g} nm", w.in(nm), data.wavelengths_nm.front(),
-                                     data.wavelengths_nm.back()),
-                         "Choose wavelengths within, as --wavelengths 360:720:10."};
-    return Done{};
-}
-
-Mix mix_at(const std::vector<double>& data_nm, double w) {
-    const auto above = std::lower_bound(data_nm.begin(), data_nm.end(), w);
-    const auto high = static_cast<std::size_t>(above - data_nm.begin());
-    if (*above == w) return {high, high, 0.0};
-    return {high - 1, high, (w - data_nm[high - 1]) / (data_nm[high] - data_nm[high - 1])};
-}
 
 // Keeps what lies next to a wavelength of the sky.
 Bands bands_of(const Hosek2012Data& data, const Atmosphere& atmosphere, std::span<const Wavelength> wavelengths, double turbidity) {
@@ -173,7 +151,7 @@ Bands bands_of(const Hosek2012Data& data, const Atmosphere& atmosphere, std::spa
         return kept.size() - 1;
     };
     for (const Wavelength wavelength : wavelengths) {
-        const Mix mix = mix_at(data.wavelengths_nm, wavelength.in(nm));
+        const WavelengthMix mix = mix_at(data.wavelengths_nm, wavelength.in(nm));
         const std::size_t low = band(mix.low);
         bands.mixes.push_back({low, band(mix.high), mix.weight});
     }
@@ -201,7 +179,7 @@ Result<std::unique_ptr<Sky>> make(const Atmosphere& atmosphere, std::vector<Wave
     if (!text) return text.error();
     const Result<Hosek2012Data> data = parse_hosek2012(text->text, text->where);
     if (!data) return data.error();
-    if (const Result<Done> ok = covers(*data, wavelengths); !ok) return ok.error();
+    if (const Result<Done> ok = data_covers(data->wavelengths_nm, wavelengths, card.key); !ok) return ok.error();
     if (const Result<Done> ok = albedo_in(*data, atmosphere); !ok) return ok.error();
     double t = data->turbidities.front();
     if (data->turbidities.size() > 1) {

@@ -13,6 +13,7 @@ Model kaneda1991_model();
 Model nishita1993_model();
 Model perez1993_model();
 Model nishita1996_model();
+Model dobashi1997_model();
 Model preetham1999_model();
 Model dobashi2002_model();
 Model hoffman2002_model();

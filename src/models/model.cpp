@@ -23,6 +23,7 @@ std::span<const Model> models() {
         nishita1993_model(),
         perez1993_model(),
         nishita1996_model(),
+        dobashi1997_model(),
         preetham1999_model(),
         dobashi2002_model(),
         hoffman2002_model(),
@@ -72,12 +73,14 @@ PublishedSky::PublishedSky(const ModelCard& card, const Atmosphere& atmosphere, 
 
 Result<Done> PublishedSky::within_range(const View& view) const {
     if (const Result<Done> ok = check_view(view.altitude, view.view_zenith, view.sun_zenith, view.relative_azimuth); !ok) return ok.error();
-    const auto outside = [&](const char* what, double value, double highest, const char* unit) {
-        return Error{name(), fmt::format("does not answer {} {:g} {}: its range is 0 to {:g} {}", what, value, unit, highest, unit),
+    const auto outside = [&](const char* what, double value, double highest, const char* unit, double lowest = 0.0) {
+        return Error{name(),
+                     fmt::format("does not answer {} {:g} {}: its range is {:g} to {:g} {}", what, value, unit, lowest, highest, unit),
                      "`airlight models` shows the range of each model."};
     };
     constexpr double hair = 1e-9;
-    if (view.altitude > card_.highest_eye) return outside("an eye at", view.altitude.in(m), card_.highest_eye.in(m), "m");
+    if (view.altitude < card_.lowest_eye || view.altitude > card_.highest_eye)
+        return outside("an eye at", view.altitude.in(m), card_.highest_eye.in(m), "m", card_.lowest_eye.in(m));
     if (view.sun_zenith / deg > card_.highest_sun_zenith_deg + hair)
         return outside("a sun zenith angle of", view.sun_zenith / deg, card_.highest_sun_zenith_deg, "deg");
     if (view.view_zenith / deg > card_.highest_view_zenith_deg + hair)

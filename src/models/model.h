@@ -31,6 +31,7 @@ struct ModelCard {
     double highest_sun_zenith_deg = 180.0;
     double highest_view_zenith_deg = 180.0;
     bool aerial_perspective = false;
+    Length lowest_eye = 0.0 * m;  // of a sky from a file that was fitted for one altitude
 };
 
 // What a user may say beside the atmosphere. A model takes what concerns it.

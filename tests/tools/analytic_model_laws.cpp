@@ -37,6 +37,14 @@ std::vector<PointLaw> analytic_model_laws() {
         POINT_LAW(exponential_moment, combinations({{0.0, 1.0, 2.0, 3.0}, depths()}), 15, 6),
         POINT_LAW(inscattered_share, combinations({depths(), {0.0, 5e-4, 0.01, 0.3, 2.0, 20.0}, depths(), {0.0, 1e-3, 0.1, 3.0}}), 33, 28),
         POINT_LAW(hipiny2006_weight, combinations({{0.0, 10.0, 1000.0, 4000.0}, {0.0}, {4000.0, 30000.0}, {8000.0, 1200.0}}), 2, 4),
+        // Three terms; where they cancel, their roundings remain.
+        MODEL_LAW("dobashi1997: a series of cosines", 4, cosine_series(cosine_term(cosine_term(cosine_sum(x[3]), x[2]), x[1]), x[0]),
+                  combinations({{1.0, 3.0}, {0.5, 0.2}, {0.1, 0.3}, {0.0, 1e-3, 0.5, 1.5, 1.6, 2.5, 3.1, 3.14159}}), 1, 1),
+        // Roots of fractions, a product each, and the difference of two products.
+        MODEL_LAW("dobashi1997: harmonics, orders 0 to 2", 2,
+                  legendre_next(legendre_next(legendre_first(0, x[1]), 1, 0, x[1]), 2, 0, x[1]).here +
+                      x[0] * legendre_next(legendre_first(1, x[1]), 2, 1, x[1]).here + x[0] * legendre_first(2, x[1]).here,
+                  combinations({{0.5, 2.0}, zenith_cosines()}), 3, 4),
         // A cube root near the horizon, of a difference.
         POINT_LAW(hosek2012_place, combinations({sun_angles()}), 2, 20),
         MODEL_LAW("hosek2012: curve", 3, quintic_bezier(x[0], 0.5 * x[0], x[1], 2.0 * x[1], x[0] + x[1], x[1], x[2]),
