@@ -1,13 +1,17 @@
 # Two commands do everything on a fresh Debian 12: `make demo` and `make test`. The rest is for those who work on it.
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build demo test truth models bench fuzz check sanitize install clean
+FIGURES := density_profile mean_density sky_columns sky_parameter phase_functions sky_by_altitude sky_from_altitudes scattering_orders \
+  rayleigh_coefficient rayleigh_scale_height mie_coefficient mie_scale_height
+
+.PHONY: help setup build demo test truth models figures bench fuzz check sanitize install clean
 
 help:
 	@echo 'make demo      install what is missing, build, and compute a real sky; names the files it wrote'
 	@echo 'make test      the same set-up, then every test'
 	@echo 'make truth     every row of the independent figures in ../shared/reference, ending in a verdict (about ten minutes)'
 	@echo 'make models    every model against the reference: docs/models.md, and out/models/report.html (about twelve minutes; goes on if stopped)'
+	@echo 'make figures   the pictures of docs/gallery.md, in docs/images/figures (three minutes; goes on if stopped)'
 	@echo 'make bench     benchmarks'
 	@echo 'make fuzz      fuzz every parser of files from strangers, FUZZ_SECONDS=60 each'
 	@echo 'make check     a second compiler, format, clang-tidy, every header alone'
@@ -37,6 +41,29 @@ truth: build
 models: build
 	build/release/apps/airlight/airlight compare --atmosphere earth-clear,earth-hazy --eyes-m 0,2000,10000,30000,400000 \
 	  --suns 0,30,60,75,85,90,96 --paths 8192 --table docs/models.md -o out/models
+
+# What is newer than the program and its script is not made again.
+figures: setup build/release/build.ninja
+	@tools/install-packages packages/debian-figures.txt
+	cmake --build --preset release --target airlight_draw_figure
+	@$(MAKE) --no-print-directory $(FIGURES:%=docs/images/figures/%.png)
+
+draw_figure := build/release/apps/figures/airlight_draw_figure
+
+.SECONDARY:
+
+out/figures/%.csv: $(draw_figure)
+	$(draw_figure) $* -o out/figures
+
+# Two charts share a table; a figure without a script of its own is a sheet of pictures.
+docs/images/figures/sky_parameter.png: out/figures/sky_columns.csv tools/figures/sky_parameter.gp tools/figures/style.gp
+	tools/figures/draw tools/figures/sky_parameter.gp $< $@
+
+docs/images/figures/%.png: out/figures/%.csv tools/figures/%.gp tools/figures/style.gp
+	tools/figures/draw tools/figures/$*.gp $< $@
+
+docs/images/figures/%.png: out/figures/%.csv tools/figures/sheet.gp tools/figures/style.gp
+	tools/figures/draw tools/figures/sheet.gp $< $@
 
 bench: build
 	tools/run-benchmarks build/release/benchmarks
