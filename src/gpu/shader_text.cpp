@@ -19,19 +19,19 @@ std::string place(const ShaderText& shader, std::size_t file, int line) {
     return file ? shader.files[file] + ':' + std::to_string(line) : "line " + std::to_string(line);
 }
 
-Result<Done> resolve(std::string_view text, std::size_t file, const std::filesystem::path& root, ShaderText& out);
+Result<Done> resolve(std::string_view text, std::size_t file, const ReadText& read, ShaderText& out);
 
-Result<Done> include(const std::string& path, const std::filesystem::path& root, ShaderText& out) {
+Result<Done> include(const std::string& path, const ReadText& read, ShaderText& out) {
     if (std::find(out.files.begin(), out.files.end(), path) != out.files.end()) return Done{};
-    const Result<std::string> text = read_file(root / path);
+    const Result<std::string> text = read(path);
     if (!text) return text.error();
     out.files.push_back(path);
     const std::size_t file = out.files.size() - 1;
     out.text += line_directive(1, file);
-    return resolve(*text, file, root, out);
+    return resolve(*text, file, read, out);
 }
 
-Result<Done> resolve(std::string_view text, std::size_t file, const std::filesystem::path& root, ShaderText& out) {
+Result<Done> resolve(std::string_view text, std::size_t file, const ReadText& read, ShaderText& out) {
     for (int number = 1; !text.empty(); ++number) {
         const std::string_view line = first_line(text);
         text.remove_prefix(std::min(line.size() + 1, text.size()));
@@ -39,7 +39,7 @@ Result<Done> resolve(std::string_view text, std::size_t file, const std::filesys
             out.text.append(line).append("\n");
             continue;
         }
-        const Result<Done> done = include(std::string(line.substr(directive.size(), line.rfind('"') - directive.size())), root, out);
+        const Result<Done> done = include(std::string(line.substr(directive.size(), line.rfind('"') - directive.size())), read, out);
         if (!done) return at(place(out, file, number), done.error());
         out.text += line_directive(number + 1, file);
     }
@@ -49,8 +49,12 @@ Result<Done> resolve(std::string_view text, std::size_t file, const std::filesys
 }  // namespace
 
 Result<ShaderText> resolve_includes(std::string_view text, const std::filesystem::path& root) {
+    return resolve_includes(text, [&](const std::string& path) { return read_file(root / path); });
+}
+
+Result<ShaderText> resolve_includes(std::string_view text, const ReadText& read) {
     ShaderText out("");
-    const Result<Done> done = resolve(text, 0, root, out);
+    const Result<Done> done = resolve(text, 0, read, out);
     if (!done) return done.error();
     return out;
 }

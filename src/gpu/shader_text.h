@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,10 @@ struct ShaderText {
 // A file is taken once, at its first mention, as a header with an include guard is.
 // Fails, naming it and the line that asks for it, if a file cannot be read.
 Result<ShaderText> resolve_includes(std::string_view text, const std::filesystem::path& root);
+
+// The same with files that come from elsewhere: `read` gives the text of a path.
+using ReadText = std::function<Result<std::string>(const std::string& path)>;
+Result<ShaderText> resolve_includes(std::string_view text, const ReadText& read);
 
 // A driver's message with the numbers of files, "3:12(8)" (Mesa) or "3(12)" (NVIDIA), replaced by names: "physics/shell.glsl:12".
 // The shader's own text is called `name`.

@@ -19,7 +19,8 @@ struct TextureSize {
     int depth = 0;
 };
 
-// What a texel holds. Values in [0, 1] are stored in 8 or 16 bits, srgb8 with sRGB's transfer function (linear when read).
+// What a texel holds. Values in [0, 1] are stored in 8 or 16 bits. srgb8 holds values encoded with sRGB's transfer function, as which
+// they are given here and read back; shaders read, and passes draw, linear ones.
 enum class TextureFormat { rgba32f, rgba16f, rgba8, srgb8, rg8, rg16, r32f, depth32f, depth24 };
 int channels(TextureFormat format);
 

@@ -1,0 +1,42 @@
+#include "render/shaders.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace airlight::render {
+
+namespace {
+
+struct ShaderFile {
+    std::string_view path, text;
+};
+
+constexpr ShaderFile shader_files[] = {
+#include "shader_files.inc"
+};
+
+Result<std::string> read(const std::string& path) {
+    const auto found = std::find_if(std::begin(shader_files), std::end(shader_files), [&](const ShaderFile& f) { return f.path == path; });
+    if (found != std::end(shader_files)) return std::string(found->text);
+    return Error{path, "no shader of this name is compiled in.", ""};
+}
+
+}  // namespace
+
+Result<gpu::ShaderText> shader_text(std::string_view name) {
+    const Result<std::string> text = read(std::string(name));
+    if (!text) return text.error();
+    return gpu::resolve_includes(*text, gpu::ReadText(read));
+}
+
+Result<gpu::Program> program(std::string_view vertex, std::string_view fragment) {
+    const Result<gpu::ShaderText> first = shader_text(vertex), second = shader_text(fragment);
+    if (!first) return first.error();
+    if (!second) return second.error();
+    const gpu::Stage stages[] = {{GL_VERTEX_SHADER, *first}, {GL_FRAGMENT_SHADER, *second}};
+    return gpu::Program::link(std::string(vertex) + " and " + std::string(fragment), stages);
+}
+
+}  // namespace airlight::render
