@@ -339,6 +339,7 @@ Summary summary(const AirRun& air, const ModelRun& model, const std::function<bo
         if (i >= model.cells.size() || !model.cells[i].verdict.sky) continue;
         const Score& score = *model.cells[i].verdict.sky;
         ++s.answered;
+        s.partly += score.answered < score.asked;
         s.relative_rmse += score.relative_rmse * score.relative_rmse;
         s.noise += score.noise * score.noise;
         s.luminance_rmse += score.luminance_rmse * score.luminance_rmse;

@@ -85,6 +85,7 @@ Result<Comparison> compare(const CompareSettings& settings);
 // What a model was found to be, over several conditions: the quadratic mean of its relative errors.
 struct Summary {
     int asked = 0, answered = 0;  // conditions
+    int partly = 0;               // of those answered: in some directions only
     double relative_rmse = 0.0, noise = 0.0, luminance_rmse = 0.0, chromaticity_rmse = 0.0, colour_difference = 0.0, spectral_rmse = 0.0;
 };
 constexpr double end_of_day_deg = 85.0;  // of the sun's zenith angle

@@ -35,7 +35,7 @@ std::string altitude_text(double altitude_m) {
 
 std::string percent_or_dash(const Summary& s) {
     if (s.answered == 0) return "–";
-    return percent_text(s.relative_rmse) + (s.answered < s.asked ? "*" : "");
+    return percent_text(s.relative_rmse) + (s.answered < s.asked || s.partly > 0 ? "*" : "");
 }
 
 std::vector<const ModelRun*> ordered(const AirRun& air) {
@@ -169,8 +169,9 @@ std::string range_line(const ModelCard& card) {
     const std::string eye = card.highest_eye < anywhere
                                 ? (card.highest_eye > 0.0 * m ? "eyes to " + altitude_text(card.highest_eye.in(m)) : "eyes on the ground")
                                 : "eyes anywhere";
-    return fmt::format("{}, sun to {:g}°, views to {:g}°, {}", eye, card.highest_sun_zenith_deg, card.highest_view_zenith_deg,
-                       card.aerial_perspective ? "with aerial perspective" : "no aerial perspective");
+    return fmt::format("{}, sun to {:g}°, views to {:g}°, {}{}{}", eye, card.highest_sun_zenith_deg, card.highest_view_zenith_deg,
+                       card.aerial_perspective ? "with aerial perspective" : "no aerial perspective", card.refused.empty() ? "" : "; not ",
+                       card.refused);
 }
 
 std::string cost_line(const ModelRun& model) {
@@ -244,7 +245,8 @@ std::string head(const Comparison& comparison, const std::string& command) {
         "horizon (twelve from the zenith to 0.3°; from space six "
         "across the limb) and wavelengths, less the truth's own variance, which is the column of noise. Means over conditions are "
         "quadratic, over those that a model answers: * says that "
-        "there are others, – that there are none. By day is the lowest eye with the sun up to {:g}°, which nearly every model answers: by "
+        "there are others, or directions that it refuses, – that it answers none. By day is the lowest eye with the sun up to {:g}°, which "
+        "nearly every model answers: by "
         "it they are in order, and of it are noise, "
         "luminance (relative, %), chromaticity (u′v′) and CIEDE2000.\n\n",
         command, truth_text(comparison), comparison.paths, comparison.wavelengths.size(), comparison.wavelengths.first().in(nm),

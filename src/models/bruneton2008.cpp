@@ -13,7 +13,8 @@
 //                of an aerial perspective are on the side of the horizon on which the view begins.
 //   parameters   ModelOptions::bake: orders and sizes of the source; ModelOptions::bruneton2008: texels, 32 x 128 x 32 x 8 unless
 //                given; `four_channels` keeps single Mie scattering at the reddest wavelength of each pack alone and colours it
-//                by the rule of proportion, `eight_bits` rounds the scattering tables to 256 levels [Sperlhofer2011, 5.2.2]
+//                by the rule of proportion, `eight_bits` rounds the scattering tables to 256 levels [Sperlhofer2011, 5.2.2].
+//                Users say so by the variant: full, four-channels, eight-bits or four-channels-eight-bits
 //   range        any eye; the sun to 101.5 degrees from the zenith (cosine -0.2)
 //   cost         a bake of the source, then milliseconds for each row of a table, filled when it is first read; a direction of
 //                a dome is four texels of a table that is cut for the eye and the sun
@@ -24,6 +25,7 @@
 #include <cmath>
 
 #include "models/bruneton2008_dome.h"
+#include "models/exponential_sky.h"
 #include "models/list.h"
 
 namespace airlight {
@@ -132,7 +134,11 @@ private:
 };
 
 Result<std::unique_ptr<Sky>> make(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, const ModelOptions& options) {
-    const Bruneton2008Settings& s = options.bruneton2008;
+    const Result<std::string> variant = variant_of(card, options, {"full", "four-channels", "eight-bits", "four-channels-eight-bits"});
+    if (!variant) return variant.error();
+    Bruneton2008Settings s = options.bruneton2008;
+    s.four_channels |= variant->starts_with("four-channels");
+    s.eight_bits |= variant->ends_with("eight-bits");
     if (std::min({s.altitude, s.sun, s.nu}) < 2 || s.view < 4 || s.view % 2 != 0)
         return Error{"bruneton2008", "its tables have too few texels, or an odd number of views",
                      "Give at least 2 x 4 x 2 x 2 texels (altitude, view, sun, angle), the second number even."};

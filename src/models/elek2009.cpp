@@ -9,7 +9,8 @@
 //   differs      Higher orders come from the table of their source (docs/theory.md, section 5), not from a sum of orders of the
 //                table itself. Each wavelength, and each constituent, rather than RGB and two.
 //   parameters   ModelOptions::bake: orders and sizes of the source
-//   range        any eye; the sun to 90 degrees from the zenith, for without the shadow the sky would not grow dark
+//   range        any eye; the sun to 90 degrees from the zenith, for without the shadow the sky would not grow dark, at the eye and
+//                where a view from space enters the air; no view that the shadow touches, which would be lit where the truth is dark
 //   cost         a bake of the source and tenths of a second; then one or two look-ups a direction
 //   reference    the text is physics/models/elek2009.glsl
 #include <cmath>
@@ -41,7 +42,8 @@ constexpr ModelCard card{.key = "elek2009",
                          .highest_eye = anywhere,
                          .highest_sun_zenith_deg = 90.0,
                          .highest_view_zenith_deg = 180.0,
-                         .aerial_perspective = true};
+                         .aerial_perspective = true,
+                         .refused = "views that enter the air where the sun is down, or that the planet's shadow touches"};
 
 double fraction(int i, int size) { return static_cast<double>(i) / (size - 1); }
 
@@ -133,7 +135,7 @@ Result<std::unique_ptr<Sky>> make(const Atmosphere& atmosphere, std::vector<Wave
     const auto baked = std::make_shared<const Tables>(std::move(*tables));
     std::vector<TwoLookUpSky::Pack> all;
     for (std::size_t i = 0; i < baked->packs().size(); ++i) all.push_back(pack_of(baked, i));
-    return std::unique_ptr<Sky>(std::make_unique<TwoLookUpSky>(card, atmosphere, std::move(wavelengths), std::move(all)));
+    return std::unique_ptr<Sky>(std::make_unique<TwoLookUpSky>(card, atmosphere, std::move(wavelengths), std::move(all), 0.0));
 }
 
 }  // namespace

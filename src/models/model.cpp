@@ -88,8 +88,11 @@ Result<Done> PublishedSky::within_range(const View& view) const {
     return Done{};
 }
 
+Result<Done> PublishedSky::answerable(const View&) const { return Done{}; }
+
 Result<RadianceEstimate> PublishedSky::radiance(const View& view) const {
     if (const Result<Done> ok = within_range(view); !ok) return ok.error();
+    if (const Result<Done> ok = answerable(view); !ok) return ok.error();
     RadianceEstimate estimate{sky_radiance(view), std::vector<double>(wavelengths_.size(), 0.0)};
     return estimate;
 }
@@ -105,8 +108,9 @@ Result<IrradianceEstimate> PublishedSky::irradiance(Length altitude, double sun_
     const GaussRule rule = gauss_rule(32, 0.0, 1.0);
     for (std::size_t i = 0; i < rule.nodes.size(); ++i)
         for (int j = 0; j < azimuths; ++j) {
-            const std::vector<double> seen =
-                sky_radiance({altitude, std::acos(std::sqrt(rule.nodes[i])), sun_zenith, (j + 0.5) * pi / azimuths});
+            const View view{altitude, std::acos(std::sqrt(rule.nodes[i])), sun_zenith, (j + 0.5) * pi / azimuths};
+            if (const Result<Done> ok = answerable(view); !ok) return ok.error();
+            const std::vector<double> seen = sky_radiance(view);
             for (std::size_t w = 0; w < seen.size(); ++w) estimate.diffuse_W_m2_nm[w] += seen[w] * rule.weights[i] * pi / azimuths;
         }
     if (sun_zenith >= 0.5 * pi) return estimate;

@@ -31,7 +31,8 @@ struct ModelCard {
     double highest_sun_zenith_deg = 180.0;
     double highest_view_zenith_deg = 180.0;
     bool aerial_perspective = false;
-    Length lowest_eye = 0.0 * m;  // of a sky from a file that was fitted for one altitude
+    Length lowest_eye = 0.0 * m;    // of a sky from a file that was fitted for one altitude
+    std::string_view refused = {};  // which views within these ranges it does not answer either; empty: none
 };
 
 // What a user may say beside the atmosphere. A model takes what concerns it.
@@ -73,7 +74,7 @@ public:
     std::string name() const override { return std::string(card_.key); }
     std::span<const Wavelength> wavelengths() const override { return wavelengths_; }
 
-    // Checks the ranges, then asks sky_radiance(), which answers [N].
+    // Checks the ranges and answerable(), then asks sky_radiance(), which answers [N].
     Result<RadianceEstimate> radiance(const View& view) const final;
 
     // The diffuse part is radiance() summed over the hemisphere, the direct part that of transmittance(); a model without
@@ -86,6 +87,9 @@ public:
 protected:
     // Of a view within the ranges.
     virtual std::vector<double> sky_radiance(const View& view) const = 0;
+
+    // Of a view within the ranges: the error if the model cannot answer it all the same. By default it can.
+    virtual Result<Done> answerable(const View& view) const;
 
     // The error for a view outside of the ranges; it names the range.
     Result<Done> within_range(const View& view) const;

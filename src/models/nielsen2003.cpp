@@ -37,7 +37,8 @@ constexpr ModelCard card{.key = "nielsen2003",
                          .highest_eye = highest_m * m,
                          .highest_sun_zenith_deg = 90.0,
                          .highest_view_zenith_deg = 180.0,
-                         .aerial_perspective = true};
+                         .aerial_perspective = true,
+                         .refused = "the sky below the horizontal"};
 
 class Nielsen2003 : public ExponentialSky {
 public:
@@ -63,6 +64,12 @@ private:
             sun =
                 exp(-f64::optical_depth(air, f64::nielsen2003_sky_columns(air, ray.altitude, ray.mu_s))) * f64::Number(1.0 - 0.39 * haze_);
         return f64::even_light(air, columns(i, ray), sun);
+    }
+
+    Result<Done> answerable(const View& view) const override {
+        const f64::Length h = f64::Length::of(view.altitude.value), bottom = f64::Length::of(bottom_radius().value);
+        if (view.view_zenith <= 0.5 * pi || f64::meets_ground(h, std::cos(view.view_zenith), bottom)) return Done{};
+        return Error{name(), "does not answer the sky below the horizontal: its dome ends there", "Look up, or at the ground."};
     }
 
     f64::PhaseSpectrum air_phase(std::size_t, const f64::AirRay& ray) const override {

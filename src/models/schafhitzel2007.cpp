@@ -9,7 +9,8 @@
 //                equation leaves out [Lopes2015, eq. 60]. Heights, views and suns by the maps of bruneton2008; rays are integrated
 //                along nodes that follow the density. Each wavelength, and each constituent, rather than RGB and two.
 //   parameters   none
-//   range        any eye; the sun to 101.5 degrees from the zenith (cosine -0.2)
+//   range        any eye; the sun to 101.5 degrees from the zenith (cosine -0.2), at the eye and where a view from space enters the
+//                air; no view that the planet's shadow touches, where the light of the sun's plane stands for the dark beside it
 //   cost         a second a pack of 16 wavelengths; then one or two look-ups a direction
 //   reference    the text is physics/models/schafhitzel2007.glsl
 #include <cmath>
@@ -32,6 +33,8 @@ constexpr int views = 128;
 constexpr int suns = 32;
 constexpr int nodes_per_piece = 12;
 
+constexpr double lowest_sun = -0.2;  // of bruneton2008_sun_coordinate()
+
 constexpr ModelCard card{.key = "schafhitzel2007",
                          .paper = "SchafhitzelFalkErtl2007",
                          .scattering = "single",
@@ -41,7 +44,8 @@ constexpr ModelCard card{.key = "schafhitzel2007",
                          .highest_eye = anywhere,
                          .highest_sun_zenith_deg = 101.5,
                          .highest_view_zenith_deg = 180.0,
-                         .aerial_perspective = true};
+                         .aerial_perspective = true,
+                         .refused = "views that the planet's shadow touches"};
 
 double fraction(int i, int size) { return static_cast<double>(i) / (size - 1); }
 
@@ -105,7 +109,7 @@ TwoLookUpSky::Pack pack_of(const Atmosphere& atmosphere, const std::vector<Wavel
 Result<std::unique_ptr<Sky>> make(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, const ModelOptions&) {
     std::vector<TwoLookUpSky::Pack> all;
     for (const std::vector<Wavelength>& pack : packs(wavelengths)) all.push_back(pack_of(atmosphere, pack));
-    return std::unique_ptr<Sky>(std::make_unique<TwoLookUpSky>(card, atmosphere, std::move(wavelengths), std::move(all)));
+    return std::unique_ptr<Sky>(std::make_unique<TwoLookUpSky>(card, atmosphere, std::move(wavelengths), std::move(all), lowest_sun));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "models/two_look_ups.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -75,6 +77,24 @@ std::optional<AirPiece> air_piece(const Shell& shell, const View& view, double d
     return piece;
 }
 
+bool shadow_touches(const Shell& shell, const AirPiece& piece) {
+    // At t along the ray: behind the planet if along = r mu_s + nu t < 0, and in the cylinder if r_t^2 - along^2 < R^2, that is
+    // a t^2 + 2 b t + c < 0.
+    const AirView& s = piece.start;
+    const double r = shell.bottom_m + s.altitude_m, along = r * s.mu_s;
+    const double a = (1.0 - s.nu) * (1.0 + s.nu), b = r * s.mu - along * s.nu;
+    const double c = s.altitude_m * (shell.bottom_m + r) - along * along;
+    const double hair = -1e-9 * r * r;
+    // The part of the ray that is behind the planet.
+    double low = 0.0, high = piece.length_m;
+    if (s.nu < 0.0) low = std::max(low, -along / s.nu);
+    else if (s.nu > 0.0) high = std::min(high, -along / s.nu);
+    else if (along >= 0.0) return false;
+    if (low > high) return false;
+    const double deepest = a > 0.0 ? std::clamp(-b / a, low, high) : (b < 0.0 ? high : low);
+    return (a * deepest + 2.0 * b) * deepest + c < hair;
+}
+
 std::array<f32::IrradianceSpectrum, max_parts> single_light(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance,
                                                             const PreparedRay& prepared, const Ray& ray, int nodes_per_piece) {
     std::array<f32::IrradianceSpectrum, max_parts> light;
@@ -91,8 +111,26 @@ std::array<f32::IrradianceSpectrum, max_parts> single_light(const PackAir& air, 
 }
 
 TwoLookUpSky::TwoLookUpSky(const ModelCard& card, const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths,
-                           std::vector<Pack> packs)
-    : PublishedSky(card, atmosphere, std::move(wavelengths)), packs_(std::move(packs)) {}
+                           std::vector<Pack> packs, double lowest_sun)
+    : PublishedSky(card, atmosphere, std::move(wavelengths)), packs_(std::move(packs)), lowest_sun_(lowest_sun) {}
+
+Result<Done> TwoLookUpSky::answerable(const std::optional<AirPiece>& piece) const {
+    if (!piece) return Done{};  // without air there is no light, which is right
+    const char* remedy = "`airlight models` shows the range of each model.";
+    constexpr double hair = 1e-9;
+    if (piece->start.mu_s < lowest_sun_ - hair)
+        return Error{
+            name(),
+            fmt::format("does not answer views that enter the air with the sun beyond {:.1f} deg from the zenith: its tables end there",
+                        std::acos(lowest_sun_) / deg),
+            remedy};
+    if (shadow_touches(shell(), *piece))
+        return Error{name(), "does not answer views that the planet's shadow touches: tables without azimuth cannot say where it falls",
+                     remedy};
+    return Done{};
+}
+
+Result<Done> TwoLookUpSky::answerable(const View& view) const { return answerable(air_piece(shell(), view, 1e30)); }
 
 Result<std::vector<double>> TwoLookUpSky::transmittance(Length altitude, double view_zenith, Length distance) const {
     const View view{altitude, view_zenith, 0.0, 0.0};  // only the way matters, not the sun
@@ -106,6 +144,7 @@ Result<std::vector<double>> TwoLookUpSky::transmittance(Length altitude, double 
 Result<AerialPerspective> TwoLookUpSky::aerial_perspective(const View& view, Length distance) const {
     if (const Result<Done> ok = within_range(view); !ok) return ok.error();
     const std::optional<AirPiece> piece = air_piece(shell(), view, distance.in(m));
+    if (const Result<Done> ok = answerable(piece); !ok) return ok.error();
     AerialPerspective air;
     for (const Pack& pack : packs_) {
         f32::Spectrum seen(f32::Number(1.0));

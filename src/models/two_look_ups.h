@@ -27,6 +27,9 @@ struct AirPiece {
 // None if the view misses the air, or does not reach it within the distance.
 std::optional<AirPiece> air_piece(const Shell& shell, const View& view, double distance_m);
 
+// Whether the planet's shadow, a cylinder behind the ground sphere, falls on any of it.
+bool shadow_touches(const Shell& shell, const AirPiece& piece);
+
 // Light scattered once along a ray, by each constituent, to be multiplied by its phase function. `prepared` is the same ray.
 std::array<f32::IrradianceSpectrum, max_parts> single_light(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance,
                                                             const PreparedRay& prepared, const Ray& ray, int nodes_per_piece);
@@ -47,16 +50,22 @@ public:
         std::function<AirLight(const AirView&)> light;
         std::function<f32::IrradianceSpectrum(double altitude_m, double mu_s)> sky_on_level;
     };
-    TwoLookUpSky(const ModelCard& card, const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, std::vector<Pack> packs);
+    // `lowest_sun`: the least cosine of the sun's zenith angle that the tables hold.
+    TwoLookUpSky(const ModelCard& card, const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, std::vector<Pack> packs,
+                 double lowest_sun);
 
     Result<std::vector<double>> transmittance(Length altitude, double view_zenith, Length distance) const override;
     Result<AerialPerspective> aerial_perspective(const View& view, Length distance) const override;
 
 private:
     std::vector<double> sky_radiance(const View& view) const override;
+    // Not if the view enters the air where the sun is lower than the tables hold, or if the planet's shadow touches it.
+    Result<Done> answerable(const View& view) const override;
+    Result<Done> answerable(const std::optional<AirPiece>& piece) const;
     const Shell& shell() const { return packs_[0].air.shell; }
 
     std::vector<Pack> packs_;
+    double lowest_sun_;
 };
 
 }  // namespace airlight
