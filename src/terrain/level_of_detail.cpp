@@ -44,14 +44,17 @@ LevelReach level_reach(const HeightField& field, const DetailSettings& s) {
     return reach;
 }
 
+GlideDirection glide_direction(const Node& node) {
+    const std::uint32_t half = node.level > 0 ? std::uint32_t{1} << (node.level - 1) : 0;
+    return {node.x < half ? 1 : -1, node.y < half ? 1 : -1};
+}
+
 Glide glide_of(const Node& node, int i, int j) {
     const int step = std::countr_zero(static_cast<unsigned>(i | j | patch_squares));
     if (step >= std::countr_zero(static_cast<unsigned>(patch_squares))) return {i, j, 0};
-    // Towards the middle of the face, whichever way its coordinates run: a rule that faces on both sides of an edge agree on.
-    const std::uint32_t half = node.level > 0 ? std::uint32_t{1} << (node.level - 1) : 0;
-    const int towards_x = node.x < half ? 1 : -1, towards_y = node.y < half ? 1 : -1;
+    const GlideDirection towards = glide_direction(node);
     const int bit = 1 << step;
-    return {i & bit ? i + towards_x * bit : i, j & bit ? j + towards_y * bit : j, std::max(0, node.level - step)};
+    return {i & bit ? i + towards.x * bit : i, j & bit ? j + towards.y * bit : j, std::max(0, node.level - step)};
 }
 
 Vec3 glided_position(const Tile& tile, int i, int j, Vec3 eye, const LevelReach& reach) {

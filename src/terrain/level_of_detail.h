@@ -34,6 +34,13 @@ struct DetailSettings {
 // Each is more than twice the next one, so that only one level glides at a place, but for the last ones of the list.
 LevelReach level_reach(const HeightField& field, const DetailSettings& settings);
 
+// Whither a node's vertices glide along each of its axes, 1 or -1: towards the middle of the face, whichever way its coordinates run,
+// a rule on which faces on both sides of an edge agree.
+struct GlideDirection {
+    int x, y;
+};
+GlideDirection glide_direction(const Node& node);
+
 // The vertex of a patch onto which (i, j) glides, and the level at which it appears; none (i, j itself) for a corner of the patch.
 struct Glide {
     int i, j;

@@ -1,0 +1,92 @@
+#include "render/terrain_pass.h"
+
+#include <algorithm>
+
+#include "render/shaders.h"
+
+namespace airlight::render {
+
+namespace {
+
+// std430, and std140 for the reaches.
+struct Place {
+    std::uint32_t slot;
+    std::int32_t level, towards_x, towards_y;
+};
+using Reaches = std::array<float, 28>;
+static_assert(deepest_level < 28);
+
+Reaches reaches_of(const LevelReach& reach) {
+    Reaches all{};
+    for (std::size_t level = 1; level < reach.reach_m.size(); ++level) all[level] = static_cast<float>(reach.reach_m[level]);
+    return all;
+}
+
+Place place_of(const Node& node, std::size_t slot) {
+    const GlideDirection towards = glide_direction(node);
+    return {static_cast<std::uint32_t>(slot), node.level, towards.x, towards.y};
+}
+
+}  // namespace
+
+Result<TerrainPass> TerrainPass::create(HeightField field, DetailSettings detail, TerrainMemory memory) {
+    Result<gpu::Program> made = program("terrain.vert", "terrain.frag");
+    if (!made) return made.error();
+    const LevelReach reach = level_reach(field, detail);
+    return TerrainPass(std::move(field), reach, memory, std::move(*made));
+}
+
+TerrainPass::TerrainPass(HeightField field, LevelReach reach, TerrainMemory memory, gpu::Program made)
+    : tree_(field, reach),
+      store_(std::make_unique<TileStore>(field, memory.tiles_bytes)),
+      program_(std::move(made)),
+      tiles_(static_cast<std::size_t>(memory.gpu_tiles) * tile_bytes),
+      places_(static_cast<std::size_t>(memory.gpu_tiles) * sizeof(Place)),
+      reach_(sizeof(Reaches)),
+      indices_(std::as_bytes(std::span(patch_triangles()))),
+      triangles_(gpu::VertexArray::indexed(indices_)),
+      slots_(static_cast<std::size_t>(memory.gpu_tiles)) {
+    const Reaches reaches = reaches_of(reach);
+    reach_.write(std::as_bytes(std::span(reaches)));
+}
+
+void TerrainPass::draw(const Camera& camera, Culling culling) {
+    const Selection selection = tree_.select(camera, culling);
+    const std::size_t before = store_->built();
+    program_.use();
+    tiles_.bind_storage(0);
+    places_.bind_storage(1);
+    reach_.bind_uniform(1);
+    const std::span<const Node> nodes(selection.nodes);
+    for (std::size_t first = 0; first < nodes.size(); first += slots_.size())
+        draw_batch(nodes.subspan(first, std::min(slots_.size(), nodes.size() - first)));
+    count_ = {nodes.size(), nodes.size() * patch_triangles().size(), selection.visited, selection.culled, store_->built() - before};
+}
+
+void TerrainPass::draw_batch(std::span<const Node> nodes) {
+    ++batch_;
+    std::vector<Node> missing;
+    for (const Node& node : nodes) {
+        const auto found = slot_by_node_.find(node);
+        if (found == slot_by_node_.end()) missing.push_back(node);
+        else slots_[found->second].used = batch_;
+    }
+    for (const std::shared_ptr<const Tile>& tile : store_->get(missing))
+        tiles_.write(std::as_bytes(std::span(tile->vertices)), slot_of(tile->node) * tile_bytes);
+    std::vector<Place> places;
+    for (const Node& node : nodes) places.push_back(place_of(node, slot_by_node_.at(node)));
+    places_.write(std::as_bytes(std::span(places)));
+    triangles_.draw_indexed(static_cast<int>(3 * patch_triangles().size()), static_cast<int>(nodes.size()));
+}
+
+// A slot for a tile that has none: the one that was used longest ago. This batch's are the latest, and no more than there are slots.
+std::size_t TerrainPass::slot_of(const Node& node) {
+    const auto oldest = std::min_element(slots_.begin(), slots_.end(), [](const Slot& a, const Slot& b) { return a.used < b.used; });
+    const auto slot = static_cast<std::size_t>(oldest - slots_.begin());
+    if (oldest->used > 0) slot_by_node_.erase(oldest->node);
+    *oldest = {node, batch_};
+    slot_by_node_[node] = slot;
+    return slot;
+}
+
+}  // namespace airlight::render

@@ -1,0 +1,58 @@
+// A planet's ground, drawn into the geometry buffer: one small set of triangles for all patches [Sperlhofer2011, section 4.4].
+// Uses terrain and gpu.
+#pragma once
+
+#include <unordered_map>
+
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+#include "gpu/vertex_array.h"
+#include "terrain/tile_store.h"
+
+namespace airlight::render {
+
+struct TerrainMemory {
+    std::size_t tiles_bytes = std::size_t{64} << 20;  // of tiles kept in memory
+    int gpu_tiles = 2048;                             // of tiles kept on the GPU: 24 MB
+};
+
+struct TerrainCount {
+    std::size_t patches = 0, triangles = 0;
+    int visited = 0, culled = 0;
+    std::size_t built = 0;  // tiles, for this frame
+};
+
+class TerrainPass {
+public:
+    static Result<TerrainPass> create(HeightField field, DetailSettings detail, TerrainMemory memory = {});
+
+    // Draws what the camera sees, as finely as `detail` asks; tiles that are missing are built first. A geometry buffer has begun,
+    // and a CameraBlock of the same camera is bound.
+    void draw(const Camera& camera, Culling culling = {});
+
+    // Of the last draw.
+    const TerrainCount& count() const { return count_; }
+    const Quadtree& quadtree() const { return tree_; }
+    std::size_t tiles_bytes() const { return store_->bytes(); }
+
+private:
+    struct Slot {
+        Node node;
+        std::size_t used = 0;  // in which batch; 0 never
+    };
+    TerrainPass(HeightField field, LevelReach reach, TerrainMemory memory, gpu::Program program);
+    void draw_batch(std::span<const Node> nodes);
+    std::size_t slot_of(const Node& node);
+
+    Quadtree tree_;
+    std::unique_ptr<TileStore> store_;
+    gpu::Program program_;
+    gpu::Buffer tiles_, places_, reach_, indices_;
+    gpu::VertexArray triangles_;
+    std::vector<Slot> slots_;
+    std::unordered_map<Node, std::size_t, NodeHash> slot_by_node_;
+    std::size_t batch_ = 0;
+    TerrainCount count_;
+};
+
+}  // namespace airlight::render
