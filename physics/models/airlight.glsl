@@ -189,16 +189,34 @@ FN void airlight_cut_free_paths(IN(AirlightAir) air, IN(TABLE_2D(Spectrum)) dens
     if (0.25 * left * extinction > 12.0) airlight_cut(cuts, x + 12.0 / extinction);
 }
 
-// Where a ray of a length is cut.
-FN AirlightCuts airlight_ray_cuts(IN(AirlightAir) air, IN(TABLE_2D(Spectrum)) densities, IN(AirlightRay) ray, Length length) {
-    Length r = air.bottom + ray.h;
-    Length start = r * ray.mu;
+// Where a ray of a length is cut by what does not depend on the sun: its perigee, jumps of density, mean free paths.
+FN AirlightCuts airlight_air_cuts(IN(AirlightAir) air, IN(TABLE_2D(Spectrum)) densities, Length h, Number mu, Length length) {
+    Length start = (air.bottom + h) * mu;
     AirlightCuts cuts;
     cuts.count = 2;
     cuts.at[0] = start;
     cuts.at[1] = start + length;
     airlight_cut(cuts, 0.0 * m);
-    // The shadow is a cylinder behind the planet: its axis points from the sun, its radius is the ground's.
+    for (int s = 1; s < air.density_axis.segments; ++s) {
+        Length jump = altitude_of_coordinate(air.density_axis.from[s], air.top);
+        Area squared = start * start + (jump - h) * (2.0 * air.bottom + jump + h);
+        if (squared > 0.0 * m * m) {
+            Length x = sqrt(squared);
+            airlight_cut(cuts, -x);
+            airlight_cut(cuts, x);
+            airlight_cut_free_paths(air, densities, cuts, -x, jump);
+            airlight_cut_free_paths(air, densities, cuts, x, jump);
+        }
+    }
+    airlight_cut_free_paths(air, densities, cuts, start, h);
+    return cuts;
+}
+
+// Cuts a ray where it enters and leaves the planet's shadow, a cylinder whose axis points from the sun and whose radius is the
+// ground's.
+FN void airlight_cut_shadow(IN(AirlightAir) air, IN(AirlightRay) ray, INOUT(AirlightCuts) cuts) {
+    Length r = air.bottom + ray.h;
+    Length start = r * ray.mu;
     Number a = 1.0 - ray.nu * ray.nu;
     Length b = r * (ray.mu - ray.mu_s * ray.nu);
     Area c = ray.h * (2.0 * air.bottom + ray.h) - r * ray.mu_s * (r * ray.mu_s);
@@ -210,19 +228,59 @@ FN AirlightCuts airlight_ray_cuts(IN(AirlightAir) air, IN(TABLE_2D(Spectrum)) de
         if (r * ray.mu_s + ray.nu * enters < 0.0 * m) airlight_cut(cuts, start + enters);
         if (r * ray.mu_s + ray.nu * leaves < 0.0 * m) airlight_cut(cuts, start + leaves);
     }
-    for (int s = 1; s < air.density_axis.segments; ++s) {
-        Length jump = altitude_of_coordinate(air.density_axis.from[s], air.top);
-        Area squared = start * start + (jump - ray.h) * (2.0 * air.bottom + jump + ray.h);
-        if (squared > 0.0 * m * m) {
-            Length x = sqrt(squared);
-            airlight_cut(cuts, -x);
-            airlight_cut(cuts, x);
-            airlight_cut_free_paths(air, densities, cuts, -x, jump);
-            airlight_cut_free_paths(air, densities, cuts, x, jump);
-        }
+}
+
+// A place on a ray where its light is gathered.
+struct AirlightNode {
+    Length h;
+    Number mu;                  // of the ray, there
+    Length distance;            // from the ray's start
+    AirlightDensities density;
+    LengthSpectrum seen;        // transmittance from the ray's start, times the length that the node stands for
+};
+
+// The nodes of a piece, as many as the rule's.
+struct AirlightPiece {
+    AirlightNode node[airlight_nodes];
+};
+
+// The piece [from, to] of a ray that starts at h, mu, on one side of the perigee. `columns` holds those before it, and receives
+// those after it.
+FN void airlight_piece(IN(AirlightAir) air, IN(AirlightRule) rule, IN(TABLE_2D(Spectrum)) densities, Length h, Number mu, Length from,
+                       Length to, INOUT(AirlightColumns) columns, INOUT(AirlightPiece) piece) {
+    Length r = air.bottom + h;
+    Length start = r * mu;
+    bool rises = from + to > 0.0 * m;
+    Length x_low = rises ? max(from, 0.0 * m) : min(to, 0.0 * m);
+    Length x_high = rises ? to : from;
+    Area low_gain = (x_low - start) * (x_low + start);
+    Length h_low = max(h + low_gain / (sqrt(max(r * r + low_gain, 0.0 * m * m)) + r), 0.0 * m);
+    Area gain = (x_high - x_low) * (x_high + x_low);
+    Length r_low = air.bottom + h_low;
+    Length rise = gain / (sqrt(max(r_low * r_low + gain, 0.0 * m * m)) + r_low);
+    Length slope[airlight_nodes];  // of the distance by the rule's variable
+    for (int k = 0; k < rule.count; ++k) {
+        Number u = rises ? rule.node[k] : 1.0 - rule.node[k];
+        Length h_k = h_low + rise * (u * u);
+        Length x = sqrt(x_low * x_low + rise * (u * u) * (2.0 * air.bottom + h_k + h_low));
+        slope[k] = 2.0 * rise * u * ((air.bottom + h_k) / x);
+        piece.node[k].h = h_k;
+        piece.node[k].mu = clamp((rises ? x : -x) / (air.bottom + h_k), Number(-1.0), Number(1.0));
+        piece.node[k].distance = (rises ? x : -x) - start;
+        piece.node[k].density = airlight_densities(air, densities, h_k);
     }
-    airlight_cut_free_paths(air, densities, cuts, start, ray.h);
-    return cuts;
+    for (int k = 0; k < rule.count; ++k) {
+        AirlightColumns up_to = columns;
+        for (int j = 0; j < rule.count; ++j) {
+            Length part = rule.up_to[k * rule.count + j] * slope[j];
+            for (int p = 0; p < airlight_parts; ++p) up_to.of[p] = up_to.of[p] + piece.node[j].density.of[p] * part;
+        }
+        for (int p = 0; p < airlight_parts; ++p) up_to.of[p] = max(up_to.of[p], 0.0 * m);
+        piece.node[k].seen = airlight_transmittance(air, up_to) * (rule.weight[k] * slope[k]);
+    }
+    for (int k = 0; k < rule.count; ++k)
+        for (int p = 0; p < airlight_parts; ++p)
+            columns.of[p] = columns.of[p] + piece.node[k].density.of[p] * (rule.weight[k] * slope[k]);
 }
 
 // Integrals along a ray, relative to the sun's irradiance.
@@ -231,55 +289,45 @@ struct AirlightSums {
     LengthSpectrum lit[airlight_parts];  // of each constituent's air, as if of density one
 };
 
-// Adds the light of the piece [from, to] of a ray, on one side of the perigee; `columns` holds those before it, and receives those
-// after it.
-FN void airlight_piece(IN(AirlightAir) air, IN(AirlightRule) rule, IN(TABLE_2D(Spectrum)) densities,
-                       IN(PACKED_TABLE_2D(Spectrum)) transmittance, IN(PACKED_TABLE_3D(Spectrum)) source, IN(AirlightRay) ray,
-                       Length from, Length to, INOUT(AirlightColumns) columns, INOUT(AirlightSums) sums) {
-    Length r = air.bottom + ray.h;
-    Length start = r * ray.mu;
-    bool rises = from + to > 0.0 * m;
-    Length x_low = rises ? max(from, 0.0 * m) : min(to, 0.0 * m);
-    Length x_high = rises ? to : from;
-    Area low_gain = (x_low - start) * (x_low + start);
-    Length h_low = max(ray.h + low_gain / (sqrt(max(r * r + low_gain, 0.0 * m * m)) + r), 0.0 * m);
-    Area gain = (x_high - x_low) * (x_high + x_low);
-    Length r_low = air.bottom + h_low;
-    Length rise = gain / (sqrt(max(r_low * r_low + gain, 0.0 * m * m)) + r_low);
-    Length h[airlight_nodes];
-    Length distance[airlight_nodes];
-    Length slope[airlight_nodes];  // of the distance by the rule's variable
-    AirlightDensities density[airlight_nodes];
-    for (int k = 0; k < rule.count; ++k) {
-        Number u = rises ? rule.node[k] : 1.0 - rule.node[k];
-        h[k] = h_low + rise * (u * u);
-        Length x = sqrt(x_low * x_low + rise * (u * u) * (2.0 * air.bottom + h[k] + h_low));
-        slope[k] = 2.0 * rise * u * ((air.bottom + h[k]) / x);
-        distance[k] = (rises ? x : -x) - start;
-        density[k] = airlight_densities(air, densities, h[k]);
+FN AirlightSums airlight_nothing() {
+    AirlightSums sums;
+    sums.multiple = Spectrum(Number(0.0));
+    for (int p = 0; p < airlight_parts; ++p) sums.lit[p] = LengthSpectrum(0.0 * m);
+    return sums;
+}
+
+// Adds the light of a node of a ray.
+FN void airlight_gather(IN(AirlightAir) air, IN(PACKED_TABLE_2D(Spectrum)) transmittance, IN(PACKED_TABLE_3D(Spectrum)) source,
+                        IN(AirlightRay) ray, IN(AirlightNode) node, INOUT(AirlightSums) sums) {
+    Length r = air.bottom + node.h;
+    Number mu_s = clamp(((air.bottom + ray.h) * ray.mu_s + ray.nu * node.distance) / r, Number(-1.0), Number(1.0));
+    LengthSpectrum lit = node.seen * airlight_sunlight(air, transmittance, node.h, mu_s);
+    ScatteringSpectrum scattering = air.scattering[0] * node.density.of[0];
+    sums.lit[0] = sums.lit[0] + lit * node.density.of[0];
+    for (int p = 1; p < air.parts; ++p) {
+        scattering = scattering + air.scattering[p] * node.density.of[p];
+        sums.lit[p] = sums.lit[p] + lit * node.density.of[p];
     }
-    for (int k = 0; k < rule.count; ++k) {
-        AirlightColumns up_to = columns;
-        for (int j = 0; j < rule.count; ++j) {
-            Length part = rule.up_to[k * rule.count + j] * slope[j];
-            for (int p = 0; p < airlight_parts; ++p) up_to.of[p] = up_to.of[p] + density[j].of[p] * part;
-        }
-        for (int p = 0; p < airlight_parts; ++p) up_to.of[p] = max(up_to.of[p], 0.0 * m);
-        Length r_k = air.bottom + h[k];
-        Number mu = clamp((start + distance[k]) / r_k, Number(-1.0), Number(1.0));
-        Number mu_s = clamp((r * ray.mu_s + ray.nu * distance[k]) / r_k, Number(-1.0), Number(1.0));
-        LengthSpectrum seen = airlight_transmittance(air, up_to) * (rule.weight[k] * slope[k]);
-        LengthSpectrum lit = seen * airlight_sunlight(air, transmittance, h[k], mu_s);
-        ScatteringSpectrum scattering = air.scattering[0] * density[k].of[0];
-        sums.lit[0] = sums.lit[0] + lit * density[k].of[0];
-        for (int p = 1; p < air.parts; ++p) {
-            scattering = scattering + air.scattering[p] * density[k].of[p];
-            sums.lit[p] = sums.lit[p] + lit * density[k].of[p];
-        }
-        sums.multiple = sums.multiple + airlight_source(air, source, h[k], mu, mu_s, ray.nu) * (scattering * seen);
-    }
-    for (int k = 0; k < rule.count; ++k)
-        for (int p = 0; p < airlight_parts; ++p) columns.of[p] = columns.of[p] + density[k].of[p] * (rule.weight[k] * slope[k]);
+    sums.multiple = sums.multiple + airlight_source(air, source, node.h, node.mu, mu_s, ray.nu) * (scattering * node.seen);
+}
+
+// How far a ray runs in the air.
+FN Length airlight_length(IN(AirlightAir) air, Length h, Number mu, bool grounded) {
+    return grounded ? distance_to_ground(h, mu, air.bottom) : distance_to_top(h, mu, air.bottom, air.top);
+}
+
+// The light that sums along a whole ray stand for, that of the ground at its end left out.
+FN AirlightLight airlight_summed(IN(AirlightAir) air, IN(AirlightSums) sums, IN(AirlightColumns) columns) {
+    AirlightLight light;
+    light.transmittance = airlight_transmittance(air, columns);
+    light.multiple = sums.multiple * air.solar_irradiance * per_sr;
+    for (int p = 0; p < airlight_parts; ++p) light.single[p] = sums.lit[p] * air.scattering[p] * air.solar_irradiance;
+    return light;
+}
+
+// The sun's zenith cosine where a ray meets the ground after a length.
+FN Number airlight_ground_sun(IN(AirlightAir) air, IN(AirlightRay) ray, Length length) {
+    return clamp(((air.bottom + ray.h) * ray.mu_s + ray.nu * length) / air.bottom, Number(-1.0), Number(1.0));
 }
 
 // The light along a ray.
@@ -287,31 +335,26 @@ FN AirlightLight airlight_light(IN(AirlightAir) air, IN(AirlightRule) rule, IN(T
                                 IN(PACKED_TABLE_2D(Spectrum)) transmittance, IN(PACKED_TABLE_3D(Spectrum)) source,
                                 IN(PACKED_TABLE_2D(Spectrum)) diffuse, IN(AirlightRay) ray) {
     AirlightColumns columns;
-    AirlightSums sums;
-    sums.multiple = Spectrum(Number(0.0));
-    for (int p = 0; p < airlight_parts; ++p) {
-        sums.lit[p] = LengthSpectrum(0.0 * m);
-        columns.of[p] = 0.0 * m;
-    }
+    for (int p = 0; p < airlight_parts; ++p) columns.of[p] = 0.0 * m;
+    AirlightSums sums = airlight_nothing();
     bool grounded = meets_ground(ray.h, ray.mu, air.bottom);
-    Length length = grounded ? distance_to_ground(ray.h, ray.mu, air.bottom) : distance_to_top(ray.h, ray.mu, air.bottom, air.top);
+    Length length = airlight_length(air, ray.h, ray.mu, grounded);
     if (ray.limit < length) {
         grounded = false;
         length = ray.limit;
     }
-    AirlightLight light;
-    light.transmittance = Spectrum(Number(1.0));
     if (length > 0.0 * m) {
-        AirlightCuts cuts = airlight_ray_cuts(air, densities, ray, length);
-        for (int i = 0; i + 1 < cuts.count; ++i)
-            airlight_piece(air, rule, densities, transmittance, source, ray, cuts.at[i], cuts.at[i + 1], columns, sums);
-        light.transmittance = airlight_transmittance(air, columns);
+        AirlightCuts cuts = airlight_air_cuts(air, densities, ray.h, ray.mu, length);
+        airlight_cut_shadow(air, ray, cuts);
+        AirlightPiece piece;
+        for (int i = 0; i + 1 < cuts.count; ++i) {
+            airlight_piece(air, rule, densities, ray.h, ray.mu, cuts.at[i], cuts.at[i + 1], columns, piece);
+            for (int k = 0; k < rule.count; ++k) airlight_gather(air, transmittance, source, ray, piece.node[k], sums);
+        }
     }
-    light.multiple = sums.multiple * air.solar_irradiance * per_sr;
-    for (int p = 0; p < airlight_parts; ++p) light.single[p] = sums.lit[p] * air.scattering[p] * air.solar_irradiance;
-    if (grounded) {
-        Number mu_s = clamp(((air.bottom + ray.h) * ray.mu_s + ray.nu * length) / air.bottom, Number(-1.0), Number(1.0));
-        light.multiple = light.multiple + airlight_ground(air, transmittance, diffuse, mu_s) * light.transmittance;
-    }
+    AirlightLight light = airlight_summed(air, sums, columns);
+    if (grounded)
+        light.multiple = light.multiple +
+                         airlight_ground(air, transmittance, diffuse, airlight_ground_sun(air, ray, length)) * light.transmittance;
     return light;
 }

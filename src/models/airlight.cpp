@@ -12,10 +12,9 @@
 #include <cmath>
 #include <optional>
 
-#include "core/parallel.h"
-#include "models/airlight_tables.h"
+#include "models/airlight_row.h"
 #include "models/list.h"
-#include "sky/phased_light.h"
+#include "sky/gathered_dome.h"
 #include "sky/view_ray.h"
 
 namespace airlight {
@@ -34,11 +33,14 @@ constexpr ModelCard card{
 
 constexpr int ray_nodes = 12;
 constexpr int dome_nodes = 8;
+// Of domes by day and where the edge of the planet's shadow may be seen.
+constexpr GatheredDome::Grid day_grid{.sky_rows = 40, .ground_rows = 20, .azimuths = 17},
+    shadow_grid{.sky_rows = 64, .ground_rows = 48, .azimuths = 65};
 
 struct Pack {
-    AirOptics optics;
     AirlightTables tables;
     Shell shell;
+    std::vector<double> jumps_m;  // of density
 };
 
 f32::Number number(double x) { return f32::Number::of(static_cast<float>(x)); }
@@ -60,7 +62,11 @@ class AirlightSky : public PublishedSky {
 public:
     AirlightSky(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, const Tables& tables)
         : PublishedSky(card, atmosphere, std::move(wavelengths)), rule_(airlight_rule(ray_nodes)) {
-        for (const Tables::Pack& pack : tables.packs()) packs_.push_back({pack.optics, airlight_tables(pack), pack.air.shell});
+        for (const Tables::Pack& pack : tables.packs()) {
+            const auto jumps = pack.air.densities.jumps_m();
+            packs_.push_back({airlight_tables(pack), pack.air.shell, {jumps.begin(), jumps.end()}});
+            phases_.push_back(std::make_shared<const PackPhases>(pack.optics));
+        }
     }
 
     Result<IrradianceEstimate> irradiance(Length altitude, double sun_zenith) const override;
@@ -71,17 +77,18 @@ public:
 private:
     std::vector<double> sky_radiance(const View& view) const override {
         std::vector<double> radiance;
-        for (const Pack& pack : packs_) {
+        for (std::size_t p = 0; p < packs_.size(); ++p) {
             f32::RadianceSpectrum seen(f32::RadianceSpectrum::Scalar::of(0.0f));
-            if (const auto ray = text_ray_of(pack.shell, view))
-                seen = with_phases(pack.optics, pack.tables.light(rule_, *ray), view_sun_cosine(view));
-            radiance.insert(radiance.end(), seen.v, seen.v + pack.optics.wavelength_count);
+            if (const auto ray = text_ray_of(packs_[p].shell, view))
+                seen = phases_[p]->radiance(packs_[p].tables.light(rule_, *ray), view_sun_cosine(view));
+            radiance.insert(radiance.end(), seen.v, seen.v + phases_[p]->wavelength_count());
         }
         return radiance;
     }
 
     f32::AirlightRule rule_;
     std::vector<Pack> packs_;
+    PhasesOfPacks phases_;
 };
 
 Result<std::vector<double>> AirlightSky::transmittance(Length altitude, double view_zenith, Length distance) const {
@@ -94,7 +101,8 @@ Result<std::vector<double>> AirlightSky::transmittance(Length altitude, double v
 Result<AerialPerspective> AirlightSky::aerial_perspective(const View& view, Length distance) const {
     if (const Result<Done> ok = within_range(view); !ok) return ok.error();
     AerialPerspective air;
-    for (const Pack& pack : packs_) {
+    for (std::size_t p = 0; p < packs_.size(); ++p) {
+        const Pack& pack = packs_[p];
         f32::Spectrum transmittance(f32::Number(1.0));
         f32::RadianceSpectrum inscattered(f32::RadianceSpectrum::Scalar::of(0.0f));
         if (auto ray = text_ray_of(pack.shell, view, distance.value)) {
@@ -104,10 +112,10 @@ Result<AerialPerspective> AirlightSky::aerial_perspective(const View& view, Leng
                 ray->limit = min(ray->limit, 0.9999999 * f32::distance_to_ground(ray->h, ray->mu, bottom));
             const f32::AirlightLight light = pack.tables.light(rule_, *ray);
             transmittance = light.transmittance;
-            inscattered = with_phases(pack.optics, light, view_sun_cosine(view));
+            inscattered = phases_[p]->radiance(light, view_sun_cosine(view));
         }
-        air.transmittance.insert(air.transmittance.end(), transmittance.v, transmittance.v + pack.optics.wavelength_count);
-        air.inscattered_W_m2_sr_nm.insert(air.inscattered_W_m2_sr_nm.end(), inscattered.v, inscattered.v + pack.optics.wavelength_count);
+        air.transmittance.insert(air.transmittance.end(), transmittance.v, transmittance.v + phases_[p]->wavelength_count());
+        air.inscattered_W_m2_sr_nm.insert(air.inscattered_W_m2_sr_nm.end(), inscattered.v, inscattered.v + phases_[p]->wavelength_count());
     }
     return air;
 }
@@ -117,126 +125,26 @@ Result<IrradianceEstimate> AirlightSky::irradiance(Length altitude, double sun_z
     if (!estimate || altitude > 0.0 * m) return estimate;
     // On the ground the bake's own sum over the sky is kept.
     std::size_t first = 0;
-    for (const Pack& pack : packs_) {
-        const f32::IrradianceSpectrum diffuse = pack.tables.diffuse_on_ground(static_cast<float>(std::cos(sun_zenith)));
-        for (int w = 0; w < pack.optics.wavelength_count; ++w) estimate->diffuse_W_m2_nm[first++] = diffuse.v[w];
+    for (std::size_t p = 0; p < packs_.size(); ++p) {
+        const f32::IrradianceSpectrum diffuse = packs_[p].tables.diffuse_on_ground(static_cast<float>(std::cos(sun_zenith)));
+        for (int w = 0; w < phases_[p]->wavelength_count(); ++w) estimate->diffuse_W_m2_nm[first++] = diffuse.v[w];
     }
     return estimate;
 }
 
-// A grid of directions around one eye: rows of zenith angles, crowded above and below towards the horizon, by azimuths over half
-// a turn. Each holds the light without phase functions, which is smooth; between them it is cubic (Catmull and Rom).
-class AirlightDome : public SkyDome {
-public:
-    AirlightDome(const std::vector<Pack>& packs, Length altitude, double sun_zenith) : packs_(packs), sun_zenith_(sun_zenith) {
-        const Shell& shell = packs[0].shell;
-        const double r = shell.bottom_m + altitude.value, top = shell.bottom_m + shell.top_m;
-        horizon_ = pi - std::asin(std::min(1.0, shell.bottom_m / r));
-        edge_ = r <= top ? 0.0 : pi - std::asin(top / r);
-        const f32::AirlightRule rule = airlight_rule(dome_nodes);
-        for (const Pack& pack : packs) cells_.emplace_back(static_cast<std::size_t>(rows * azimuths * (1 + pack.tables.air.parts)));
-        parallel_for(static_cast<std::size_t>(rows), [&](std::size_t i) {
-            for (int j = 0; j < azimuths; ++j) fill(rule, altitude, static_cast<int>(i), j);
-        });
-    }
-
-    void radiance(double view_zenith, double relative_azimuth, std::span<float> radiance) const override {
-        std::fill(radiance.begin(), radiance.end(), 0.0f);
-        if (view_zenith < edge_) return;
-        const double nu = view_sun_cosine({0.0 * m, view_zenith, sun_zenith_, relative_azimuth});
-        const bool sky = view_zenith <= horizon_;
-        const double s =
-            sky ? std::sqrt((horizon_ - view_zenith) / (horizon_ - edge_)) : std::sqrt((view_zenith - horizon_) / (pi - horizon_));
-        const Stencil row = sky ? stencil(s, 0, sky_rows, false) : stencil(s, sky_rows, ground_rows, false);
-        const Stencil column = stencil(std::abs(std::remainder(relative_azimuth, 2.0 * pi)) / pi, 0, azimuths, true);
-        std::size_t first = 0;
-        for (std::size_t p = 0; p < packs_.size(); ++p) {
-            const Pack& pack = packs_[p];
-            const f32::RadianceSpectrum value = with_phases(pack.optics, interpolated(p, row, column), nu);
-            for (int w = 0; w < pack.optics.wavelength_count; ++w) radiance[first++] = std::max(value.v[w], 0.0f);
-        }
-    }
-
-private:
-    static constexpr int sky_rows = 64;
-    static constexpr int ground_rows = 24;
-    static constexpr int rows = sky_rows + ground_rows;
-    static constexpr int azimuths = 17;
-
-    using Cell = f32::RadianceSpectrum;
-
-    // Four neighbours and their weights.
-    struct Stencil {
-        std::array<int, 4> at;
-        std::array<float, 4> weight;
-    };
-    // Of s between 0 and 1 among `count` places from `first`; beyond the ends are the ends, or (at azimuths) mirror images.
-    static Stencil stencil(double s, int first, int count, bool mirrored) {
-        const double x = std::clamp(s, 0.0, 1.0) * (count - 1);
-        const int low = std::min(static_cast<int>(x), count - 2);
-        const float t = static_cast<float>(x - low);
-        Stencil stencil{};
-        for (int k = 0; k < 4; ++k) {
-            int i = low - 1 + k;
-            if (i < 0) i = mirrored ? 1 : 0;
-            if (i >= count) i = mirrored ? count - 2 : count - 1;
-            stencil.at[static_cast<std::size_t>(k)] = first + i;
-        }
-        stencil.weight = {0.5f * t * ((2.0f - t) * t - 1.0f), 0.5f * (t * t * (3.0f * t - 5.0f) + 2.0f),
-                          0.5f * t * ((4.0f - 3.0f * t) * t + 1.0f), 0.5f * t * t * (t - 1.0f)};
-        return stencil;
-    }
-
-    double zenith_of(int i) const {
-        // A hair off the horizon itself, on its own side.
-        const bool sky = i < sky_rows;
-        const double s =
-            std::max(1e-4, sky ? static_cast<double>(i) / (sky_rows - 1) : static_cast<double>(i - sky_rows) / (ground_rows - 1));
-        return sky ? horizon_ - (horizon_ - edge_) * s * s * (1.0 - 1e-12) : horizon_ + (pi - horizon_) * s * s;
-    }
-
-    void fill(const f32::AirlightRule& rule, Length altitude, int i, int j) {
-        const View view{altitude, zenith_of(i), sun_zenith_, pi * j / (azimuths - 1)};
-        for (std::size_t p = 0; p < packs_.size(); ++p) {
-            const AirlightTables& tables = packs_[p].tables;
-            const auto ray = text_ray_of(packs_[p].shell, view);
-            if (!ray) continue;
-            const f32::AirlightLight light = tables.light(rule, *ray);
-            Cell* cell = &cells_[p][static_cast<std::size_t>((i * azimuths + j) * (1 + tables.air.parts))];
-            cell[0] = light.multiple;
-            for (int part = 0; part < tables.air.parts; ++part)
-                std::copy(light.single[part].v, light.single[part].v + pack_size, cell[1 + part].v);
-        }
-    }
-
-    f32::AirlightLight interpolated(std::size_t p, const Stencil& row, const Stencil& column) const {
-        const int spectra = 1 + packs_[p].tables.air.parts;
-        std::array<Cell, 1 + f32::airlight_parts> sum;
-        sum.fill(Cell(Cell::Scalar::of(0.0f)));
-        for (std::size_t a = 0; a < 4; ++a)
-            for (std::size_t b = 0; b < 4; ++b) {
-                const float weight = row.weight[a] * column.weight[b];
-                const Cell* cell = &cells_[p][static_cast<std::size_t>((row.at[a] * azimuths + column.at[b]) * spectra)];
-                for (int k = 0; k < spectra; ++k)
-                    for (int w = 0; w < pack_size; ++w) sum[static_cast<std::size_t>(k)].v[w] += weight * cell[k].v[w];
-            }
-        f32::AirlightLight light;
-        light.multiple = sum[0];
-        for (int k = 1; k < spectra; ++k)
-            std::copy(sum[static_cast<std::size_t>(k)].v, sum[static_cast<std::size_t>(k)].v + pack_size, light.single[k - 1].v);
-        return light;
-    }
-
-    const std::vector<Pack>& packs_;
-    double sun_zenith_;
-    double horizon_;                        // zenith angle of the ground's edge
-    double edge_;                           // zenith angle where the air begins: 0 within it
-    std::vector<std::vector<Cell>> cells_;  // [pack][(row * azimuths + azimuth) * spectra + spectrum]
-};
-
 Result<std::unique_ptr<SkyDome>> AirlightSky::dome(Length altitude, double sun_zenith) const {
     if (const Result<Done> ok = within_range({altitude, 0.0, sun_zenith, 0.0}); !ok) return ok.error();
-    return std::unique_ptr<SkyDome>(std::make_unique<AirlightDome>(packs_, altitude, sun_zenith));
+    const f32::AirlightRule rule = airlight_rule(dome_nodes);
+    const auto gather_row = [&](std::size_t p, std::span<const View> row, std::span<GatheredDome::Cell> cells) {
+        std::vector<f32::AirlightRay> rays;
+        for (const View& view : row)
+            if (const auto ray = text_ray_of(packs_[p].shell, view)) rays.push_back(*ray);
+        if (rays.size() != row.size()) return;  // none of them meets the air
+        const std::vector<f32::AirlightLight> lights = airlight_row(packs_[p].tables, rule, rays);
+        for (std::size_t j = 0; j < row.size(); ++j) GatheredDome::put(lights[j], *phases_[p], &cells[j * (cells.size() / row.size())]);
+    };
+    const DomeEye eye{packs_[0].shell, packs_[0].jumps_m, altitude, sun_zenith};
+    return std::unique_ptr<SkyDome>(std::make_unique<GatheredDome>(eye, eye.sees_shadow() ? shadow_grid : day_grid, phases_, gather_row));
 }
 
 Result<std::unique_ptr<Sky>> make(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, const ModelOptions& options) {

@@ -9,18 +9,6 @@ namespace airlight {
 
 namespace {
 
-// Samples of a phase function, even in the root of the angle: dense where it peaks. Linear between them it is within 1e-5.
-constexpr int phase_samples = 1025;
-
-std::vector<f32::PhaseSpectrum> sampled(const SpectralPhase& phase) {
-    std::vector<f32::PhaseSpectrum> samples;
-    for (int i = 0; i < phase_samples; ++i) {
-        const double u = static_cast<double>(i) / (phase_samples - 1);
-        samples.push_back(narrowed<f32::PhaseSpectrum>(phase.at(std::cos(pi * u * u))));
-    }
-    return samples;
-}
-
 // Two neighbours in a row, and the weight of the second.
 struct Between {
     std::size_t low;
@@ -49,35 +37,27 @@ Bruneton2008Dome::Bruneton2008Dome(const Sky& sky, Packs packs, Length altitude,
     bottom_ = (*packs_)[0]->shape().bottom;
     top_ = (*packs_)[0]->shape().top;
     for (const auto& tables : *packs_) {
-        Pack pack{
-            tables->sky_slice(altitude.in(m), std::cos(sun_zenith)), {}, static_cast<std::size_t>(tables->pack().optics.wavelength_count)};
-        for (const std::size_t p : tables->scattering_parts()) pack.phase.push_back(sampled(tables->pack().optics.parts[p].phase));
-        cut_.push_back(std::move(pack));
+        cut_.push_back({tables->sky_slice(altitude.in(m), std::cos(sun_zenith)), PackPhases(tables->pack().optics)});
     }
 }
 
 // Above the horizon.
-void Bruneton2008Dome::sky_radiance(float mu, float nu, float* radiance) const {
+void Bruneton2008Dome::sky_radiance(float mu, double nu, float* radiance) const {
     const float x = f32::bruneton2008_sky_coordinate(h_, f32::Number::of(mu), bottom_, top_).value;
-    const float angle = f32::angle_of_cosine(f32::Number::of(nu)).value;
-    const Between phase_at = between(std::sqrt(angle / static_cast<float>(pi)) * (phase_samples - 1), phase_samples);
+    const PackPhases::Place angle = PackPhases::place(nu);
     for (const Pack& pack : cut_) {
         const Bruneton2008Tables::Slice& slice = pack.slice;
         const Between view = between(x * static_cast<float>(slice.views - 1), slice.views);
-        const Between across = between((0.5f + 0.5f * nu) * static_cast<float>(slice.nus - 1), slice.nus);
+        const Between across = between((0.5f + 0.5f * static_cast<float>(nu)) * static_cast<float>(slice.nus - 1), slice.nus);
         const auto stride = static_cast<std::size_t>(slice.nus);
         const std::size_t first = view.low * stride + across.low;
         const float weights[4] = {(1.0f - view.weight) * (1.0f - across.weight), (1.0f - view.weight) * across.weight,
                                   view.weight * (1.0f - across.weight), view.weight * across.weight};
         f32::RadianceSpectrum sum = mixed(&slice.multiple[first], stride, weights);
-        for (std::size_t p = 0; p < pack.phase.size(); ++p) {
-            const f32::IrradianceSpectrum single = mixed(&slice.single[p][first], stride, weights);
-            const f32::PhaseSpectrum* phase = &pack.phase[p][phase_at.low];
-            for (int w = 0; w < pack_size; ++w)
-                sum.v[w] += single.v[w] * (phase[0].v[w] + phase_at.weight * (phase[1].v[w] - phase[0].v[w]));
-        }
-        std::copy(sum.v, sum.v + pack.count, radiance);
-        radiance += pack.count;
+        for (std::size_t p = 0; p < pack.phases.parts().size(); ++p)
+            pack.phases.add(angle, p, mixed(&slice.single[p][first], stride, weights), sum);
+        std::copy(sum.v, sum.v + pack.phases.wavelength_count(), radiance);
+        radiance += pack.phases.wavelength_count();
     }
 }
 
@@ -96,7 +76,7 @@ void Bruneton2008Dome::radiances(std::span<const Direction> directions, std::spa
         if (!f32::meets_ground(h_, f32::Number(mu), bottom_)) {
             const double sine = std::sqrt((1.0 - mu) * (1.0 + mu));
             const double nu = std::clamp(mu * mu_s + sine * sin_s * std::cos(d.relative_azimuth), -1.0, 1.0);
-            sky_radiance(static_cast<float>(mu), static_cast<float>(nu), seen);
+            sky_radiance(static_cast<float>(mu), nu, seen);
             continue;
         }
         const Result<RadianceEstimate> asked = sky_.radiance({altitude_, d.view_zenith, sun_zenith_, d.relative_azimuth});

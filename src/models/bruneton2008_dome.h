@@ -6,6 +6,7 @@
 
 #include "models/bruneton2008_tables.h"
 #include "models/model.h"
+#include "sky/pack_phases.h"
 
 namespace airlight {
 
@@ -22,13 +23,11 @@ public:
     void radiances(std::span<const Direction> directions, std::span<float> radiance) const override;
 
 private:
-    // Light of a pack, and phase functions by the angle between view and sun.
     struct Pack {
         Bruneton2008Tables::Slice slice;
-        std::vector<std::vector<f32::PhaseSpectrum>> phase;  // of each scattering part: [sample]
-        std::size_t count;                                   // of wavelengths
+        PackPhases phases;
     };
-    void sky_radiance(float mu, float nu, float* radiance) const;
+    void sky_radiance(float mu, double nu, float* radiance) const;
 
     const Sky& sky_;
     Packs packs_;

@@ -2,6 +2,7 @@
 // Theory: docs/theory.md, section 5.5. Uses transport/tables.h.
 #pragma once
 
+#include "sky/pack_phases.h"
 #include "sky/sky.h"
 #include "transport/tables.h"
 
@@ -25,6 +26,7 @@ private:
     Length bottom_radius() const override { return tables_->atmosphere().bottom_radius; }
 
     std::shared_ptr<const Tables> tables_;
+    PhasesOfPacks phases_;
 };
 
 }  // namespace airlight
