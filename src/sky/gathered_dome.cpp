@@ -45,9 +45,9 @@ GatheredDome::GatheredDome(const DomeEye& eye, Grid grid, PhasesOfPacks phases, 
     for (std::size_t p = 0; p < phases_.size(); ++p) cells_.emplace_back(height * width * spectra(p), zero<Cell>());
     parallel_for(height, [&](std::size_t i) {
         std::vector<View> views;
+        const double zenith = rows_.zenith(static_cast<int>(i));
         for (std::size_t j = 0; j < width; ++j)
-            views.push_back(
-                {eye.altitude, rows_.zenith(static_cast<int>(i)), eye.sun_zenith, pi * static_cast<double>(j) / (azimuths_ - 1)});
+            views.push_back({eye.altitude, zenith, eye.sun_zenith, pi * static_cast<double>(j) / (azimuths_ - 1)});
         for (std::size_t p = 0; p < phases_.size(); ++p)
             gather(p, views, std::span(cells_[p]).subspan(i * width * spectra(p), width * spectra(p)));
     });
