@@ -32,12 +32,13 @@ void airlight_ray(benchmark::State& state) {
 }
 BENCHMARK(airlight_ray)->Unit(benchmark::kMicrosecond);
 
+// By day, and with more rays where the edge of the planet's shadow may be seen.
 void airlight_dome(benchmark::State& state) {
     sky();
     const ThreadLimit one(1);
-    for (auto _ : state) benchmark::DoNotOptimize(sky().dome(2.0 * m, 45.0 * deg));
+    for (auto _ : state) benchmark::DoNotOptimize(sky().dome(2.0 * m, static_cast<double>(state.range(0)) * deg));
 }
-BENCHMARK(airlight_dome)->Unit(benchmark::kMillisecond);
+BENCHMARK(airlight_dome)->ArgName("sun")->Arg(45)->Arg(92)->Unit(benchmark::kMillisecond);
 
 void airlight_sky_view(benchmark::State& state) {
     constexpr int width = 200, height = 100;

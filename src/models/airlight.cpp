@@ -6,7 +6,7 @@
 //   parameters   those of the tables that it is made of (models/tables.cpp); constituents with more than seven jumps of density
 //                altogether lose the upper ones
 //   cost         a bake of tables (seconds a pack of sixteen wavelengths, or from the cache), packed into 16 bits;
-//                some ten microseconds a ray, some tenths of one a direction of a dome
+//                some eight microseconds a ray; by day seven milliseconds a dome and a tenth of a microsecond a direction
 //   reference    the text is physics/models/airlight.glsl; accuracy and speed: docs/models.md
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "atmosphere/presets.h"
-#include "models/airlight_tables.h"
+#include "models/airlight_row.h"
 #include "models/model.h"
 #include "sky/table_sky.h"
 #include "tools/temporary_folder.h"
@@ -104,14 +104,62 @@ TEST_CASE("airlight: no query is answered by a negative, an infinity or no numbe
 
 // The dome is cubic between rays of fewer nodes.
 TEST_CASE("airlight: a dome is its rays") {
+    for (const double altitude_m : {2.0, 2000.0, 10'000.0, 400'000.0}) {
+        const auto dome = *skies().packed->dome(altitude_m * m, 60.0 * deg);
+        const double horizon = pi - std::asin(6371e3 / (6371e3 + altitude_m));
+        for (const double zenith : {5.0 * deg, 45.0 * deg, 80.0 * deg, 89.0 * deg, horizon - 0.5 * deg, horizon - 0.02 * deg,
+                                    horizon + 0.02 * deg, horizon + 0.5 * deg, 140.0 * deg, 179.0 * deg})
+            for (const double azimuth : {0.0, 33.0, 170.0}) {
+                const auto ray = skies().packed->radiance({altitude_m * m, zenith, 60.0 * deg, azimuth * deg})->radiance_W_m2_sr_nm;
+                std::vector<float> seen(ray.size());
+                dome->radiance(zenith, azimuth * deg, seen);
+                CAPTURE(altitude_m);
+                CAPTURE(zenith / deg);
+                CAPTURE(azimuth);
+                for (std::size_t w = 0; w < ray.size(); ++w) CHECK(seen[w] == doctest::Approx(ray[w]).epsilon(0.01));
+            }
+    }
+}
+
+TEST_CASE("airlight: directions of one zenith angle, asked together, are those asked alone") {
     const auto dome = *skies().packed->dome(2.0 * m, 60.0 * deg);
-    for (const double zenith : {5.0, 45.0, 80.0, 89.0, 95.0, 140.0})
-        for (const double azimuth : {0.0, 33.0, 170.0}) {
-            const auto ray = skies().packed->radiance({2.0 * m, zenith * deg, 60.0 * deg, azimuth * deg})->radiance_W_m2_sr_nm;
-            std::vector<float> seen(ray.size());
-            dome->radiance(zenith * deg, azimuth * deg, seen);
-            CAPTURE(zenith);
-            CAPTURE(azimuth);
-            for (std::size_t w = 0; w < ray.size(); ++w) CHECK(seen[w] == doctest::Approx(ray[w]).epsilon(0.01));
-        }
+    std::vector<Direction> directions;
+    for (const double zenith : {20.0, 89.5, 120.0})
+        for (int i = 0; i < 20; ++i) directions.push_back({zenith * deg, 0.31 * i - 1.0});
+    const std::size_t count = wavelengths.size();
+    std::vector<float> together(directions.size() * count), alone(count);
+    dome->radiances(directions, together);
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        dome->radiance(directions[i].view_zenith, directions[i].relative_azimuth, alone);
+        for (std::size_t w = 0; w < count; ++w) CHECK(together[i * count + w] == doctest::Approx(alone[w]).epsilon(1e-5));
+    }
+}
+
+// Rows share their way through the air but where the planet's shadow cuts it: by day, in twilight, from space.
+TEST_CASE("airlight: a row of rays is its rays") {
+    const Tables baked = *bake_tables(*preset("earth-clear"), wavelengths, quick_bake(), {});
+    const AirlightTables tables = airlight_tables(baked.packs()[0]);
+    const f32::AirlightRule rule = airlight_rule(8);
+    for (const double h : {0.0, 2000.0, 100'000.0})
+        for (const double mu : {0.8, 0.02, -0.02, -0.1, -0.9})
+            for (const double mu_s : {0.7, -0.05, -0.15}) {
+                std::vector<f32::AirlightRay> rays;
+                for (int i = 0; i < 9; ++i)
+                    rays.push_back({f32::Length::of(static_cast<float>(h)), f32::Number(mu), f32::Number(mu_s),
+                                    f32::Number(mu * mu_s + std::sqrt((1 - mu * mu) * (1 - mu_s * mu_s)) * std::cos(pi * i / 8)),
+                                    f32::Length::of(1e30f)});
+                const std::vector<f32::AirlightLight> row = airlight_row(tables, rule, rays);
+                for (std::size_t i = 0; i < rays.size(); ++i) {
+                    const f32::AirlightLight alone = tables.light(rule, rays[i]);
+                    CAPTURE(h);
+                    CAPTURE(mu);
+                    CAPTURE(mu_s);
+                    CAPTURE(i);
+                    for (int w = 0; w < 3; ++w) {
+                        CHECK(row[i].transmittance.v[w] == doctest::Approx(alone.transmittance.v[w]).epsilon(1e-3));
+                        CHECK(row[i].multiple.v[w] == doctest::Approx(alone.multiple.v[w]).epsilon(0.01));
+                        CHECK(row[i].single[0].v[w] == doctest::Approx(alone.single[0].v[w]).epsilon(0.01));
+                    }
+                }
+            }
 }
