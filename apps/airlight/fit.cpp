@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <numeric>
+#include <optional>
 
 #include "air_inputs.h"
 #include "command.h"
 #include "core/files.h"
-#include "fit/hosek2012.h"
+#include "fit_forms.h"
 #include "interrupt.h"
-#include "models/turbidity.h"
 #include "spectrum/wavelength_grid.h"
 #include "units/text.h"
 
@@ -26,7 +25,10 @@ struct FitOptions {
     std::string output;
     std::string against = "tables";
     std::string turbidities;
-    std::string albedos = "0,1";
+    std::string albedos;
+    std::string altitudes;
+    std::string variant;
+    std::optional<double> error;
     std::string wavelengths = "standard";
     std::string sizes = "32x12x24x24";
     int orders = BakeSettings{}.orders;
@@ -34,21 +36,7 @@ struct FitOptions {
     std::uint64_t seed = 1;
     std::string cache;
     bool quiet = false;
-};
-
-// What every fit is told.
-struct Asked {
-    Atmosphere atmosphere;
-    std::vector<Wavelength> wavelengths;
-    std::vector<double> turbidities;  // empty: the atmosphere's own
-    std::vector<double> albedos;
-    TruthSettings truth;
-};
-
-// What every fit gives: the file, and how far it is from the truth.
-struct Fitted {
-    std::string text;
-    Residuals residuals;
+    std::vector<std::string> said;  // the names of all options that were given
 };
 
 // "2,4,6": rising numbers within a range.
@@ -82,60 +70,42 @@ Result<TruthSettings> truth_of(const FitOptions& given) {
     return truth;
 }
 
-Result<Asked> asked_of(const FitOptions& given) {
+Result<FitAsked> asked_of(const FitOptions& given) {
     Result<AskedAir> air = asked_air(given.air);
     if (!air) return air.error();
     const Result<WavelengthGrid> grid = parse_wavelength_grid(given.wavelengths);
     if (!grid) return at("--wavelengths", grid.error());
     const Result<TruthSettings> truth = truth_of(given);
     if (!truth) return truth.error();
-    Asked asked{std::move(air->atmosphere), {grid->begin(), grid->end()}, {}, {}, *truth};
-    if (!given.turbidities.empty()) {
-        Result<std::vector<double>> turbidities = rising_numbers(given.turbidities, 1.0, 1000.0, "--turbidities");
-        if (!turbidities) return turbidities.error();
-        asked.turbidities = std::move(*turbidities);
+    FitAsked asked{std::move(air->atmosphere), {grid->begin(), grid->end()}, {}, {}, {}, given.variant, given.error, *truth};
+    if (given.error && !(*given.error > 0.0 && *given.error < 1.0))
+        return Error{"--error", fmt::format("{:g} is out of range: it must be above 0 and below 1", *given.error), ""};
+    const struct {
+        const std::string& text;
+        double low, high;
+        const char* option;
+        std::vector<double>& numbers;
+    } lists[] = {{given.turbidities, 1.0, 1000.0, "--turbidities", asked.turbidities},
+                 {given.albedos, 0.0, 1.0, "--albedos", asked.albedos},
+                 {given.altitudes, 0.0, asked.atmosphere.top_altitude.in(m), "--altitude-m", asked.altitudes_m}};
+    for (const auto& list : lists) {
+        if (list.text.empty()) continue;
+        Result<std::vector<double>> numbers = rising_numbers(list.text, list.low, list.high, list.option);
+        if (!numbers) return numbers.error();
+        list.numbers = std::move(*numbers);
     }
-    Result<std::vector<double>> albedos = rising_numbers(given.albedos, 0.0, 1.0, "--albedos");
-    if (!albedos) return albedos.error();
-    asked.albedos = std::move(*albedos);
     return asked;
 }
 
-// Work that every fit needs: who computes, where finished jobs are kept, who is told.
-struct Workplace {
-    Team& team;
-    JobStore store;
-    Progress progress;
-};
-
-Result<Fitted> hosek(const Asked& asked, const Workplace& place) {
-    // The model answers for an eye on the ground alone, and its file has no place for another altitude.
-    HosekFitSettings settings{asked.turbidities, asked.albedos, asked.wavelengths, 0.0 * m, asked.truth};
-    if (settings.turbidities.empty()) {
-        const Result<double> own = turbidity(asked.atmosphere);
-        if (!own) return own.error();
-        settings.turbidities = {*own};
-    }
-    const Result<HosekFit> fit = fit_hosek2012(asked.atmosphere, settings, place.team, place.store, place.progress);
-    if (!fit) return fit.error();
-    return Fitted{hosek_csv(*fit, asked.atmosphere.name), fit->residuals};
-}
-
-struct Form {
-    std::string_view name;  // as people call it
-    std::string_view model;
-    Result<Fitted> (*fit)(const Asked& asked, const Workplace& place);
-};
-constexpr Form forms[] = {
-    {"hosek", "hosek2012", hosek},
-};
-
-Result<const Form*> form_named(const std::string& name) {
-    const auto found = std::find_if(std::begin(forms), std::end(forms), [&](const Form& f) { return f.name == name || f.model == name; });
-    if (found != std::end(forms)) return &*found;
-    std::string names;
-    for (const Form& form : forms) names.append(names.empty() ? "" : " ").append(form.name);
-    return Error{"", fmt::format("\"{}\" is no model that can be fitted", name), fmt::format("Models are: {}.", names)};
+// Fails if something was said that the form does not take: it would be passed over.
+Result<Done> takes_all(const FitForm& form, const std::vector<std::string>& said) {
+    constexpr std::string_view of_some = " --wavelengths --turbidities --albedos --altitude-m --variant --error ";
+    constexpr std::string_view of_truth = " --against --orders --sizes --paths --seed ";
+    const auto in = [](std::string_view words, const std::string& word) { return words.find(" " + word + " ") != std::string_view::npos; };
+    for (const std::string& option : said)
+        if ((in(of_some, option) && !in(form.takes, option)) || (in(of_truth, option) && !form.of_skies))
+            return Error{option, fmt::format("is nothing that a fit of {} takes", form.model), "Leave it out."};
+    return Done{};
 }
 
 std::filesystem::path jobs_folder(const FitOptions& given) {
@@ -146,9 +116,10 @@ std::filesystem::path jobs_folder(const FitOptions& given) {
 Result<Done> fit(const FitOptions& given) {
     const Interrupt interrupt;
     Team team;
-    const Result<const Form*> form = form_named(given.form);
+    const Result<const FitForm*> form = fit_form_named(given.form);
     if (!form) return form.error();
-    const Result<Asked> asked = asked_of(given);
+    if (const Result<Done> ok = takes_all(**form, given.said); !ok) return ok.error();
+    const Result<FitAsked> asked = asked_of(given);
     if (!asked) return asked.error();
     if (const Result<Done> possible = can_write(given.output); !possible) return possible.error();
     ProgressLine line(given.quiet || !team.leads());
@@ -166,7 +137,7 @@ Result<Done> fit(const FitOptions& given) {
 Command fit_command(CLI::App& airlight) {
     const auto given = std::make_shared<FitOptions>();
     CLI::App* app = airlight.add_subcommand("fit", "Fit a model of the sky to an atmosphere, as a file for --data.");
-    app->add_option("model", given->form, "hosek")->option_text("<model>")->required();
+    app->add_option("model", given->form, "one of those below")->option_text("<model>")->required();
     app->add_option("--atmosphere", given->air.atmosphere, "a preset or a file; see docs/atmosphere-file.md")
         ->option_text("<preset|file>")
         ->required();
@@ -178,7 +149,13 @@ Command fit_command(CLI::App& airlight) {
         ->capture_default_str();
     app->add_option("--turbidities", given->turbidities, "2,4,6: the aerosol scaled to each (default: the atmosphere's own)")
         ->option_text("<list>");
-    app->add_option("--albedos", given->albedos, "of the ground")->option_text("<list>")->capture_default_str();
+    app->add_option("--albedos", given->albedos, "of the ground (default: 0,1)")->option_text("<list>");
+    app->add_option("--altitude-m", given->altitudes,
+                    "of the eye above the ground; the model answers there alone. hipiny2006: a list (default: 0,2000,6000,14000,30000)")
+        ->option_text("<m>");
+    app->add_option("--variant", given->variant, "dobashi1997: cosines, samples or harmonics (default: cosines)")->option_text("<name>");
+    app->add_option("--error", given->error, "dobashi1997: the share of a band's square that a series may leave (default: 1e-4)")
+        ->option_text("<x>");
     app->add_option("--wavelengths", given->wavelengths, "in nm: 450,550,650 or 360:830:16 (first, last, count)")
         ->option_text("<grid>")
         ->capture_default_str();
@@ -196,13 +173,22 @@ Command fit_command(CLI::App& airlight) {
     app->add_option("--cache", given->cache, "where finished jobs are kept (default: $XDG_CACHE_HOME/airlight or ~/.cache/airlight)")
         ->option_text("<folder>");
     app->add_flag("--quiet", given->quiet, "no progress on standard error");
+    std::string forms = "Models, and what is taken beside the atmosphere and the truth:\n";
+    for (const FitForm& form : fit_forms())
+        forms += fmt::format("  {:<12} {}{}\n", form.name, form.says,
+                             form.takes == " " ? "" : fmt::format(":\n               {}", form.takes.substr(1, form.takes.size() - 2)));
     app->footer(
+        forms + "\n" +
         help_footer("CSV: condition, relative_rms, the root of the mean square of (model - truth) / truth over the sky.\n"
                     "        Ctrl-C stops, and the same command goes on from there. A build with MPI runs under mpirun: rank 0\n"
                     "        hands out jobs to the others, so give it one rank more than machines.",
                     "airlight fit hosek --atmosphere earth-clear --wavelengths 550 --albedos 0.2 --sizes 8x4x8x8 --orders 2 --cache tables "
                     "-o fit.csv"));
-    return {app, [given] { return fit(*given); }};
+    return {app, [given, app] {
+                for (const CLI::Option* option : app->get_options())
+                    if (option->count() > 0) given->said.push_back(option->get_name());
+                return fit(*given);
+            }};
 }
 
 }  // namespace airlight::cli

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <cstring>
 
 #include "core/parallel.h"
+#include "fit/rounded.h"
 
 namespace airlight {
 
@@ -71,14 +71,6 @@ std::vector<HosekSample> samples_of(std::span<const FitView> views, const Number
     return samples;
 }
 
-// To seven digits, as float has them: a third of the text.
-double rounded(double x) {
-    double y = 0.0;
-    const std::string text = fmt::format("{:.7g}", x);
-    std::from_chars(text.data(), text.data() + text.size(), y);
-    return y;
-}
-
 // The order in which turbidities are fitted, each with a neighbour before it: up from the one nearest to 2, then down. So air without
 // aerosol, whose sky says nothing of an aureole, keeps the aureole's shape of the air with some.
 std::vector<std::size_t> order_of(std::span<const double> turbidities) {
@@ -108,7 +100,7 @@ Numbers curves_of(const HosekFitSettings& s, std::span<const FitView> views, con
     Numbers numbers;
     for (const HosekCurves& points : curves)
         for (const auto& coefficient : points)
-            for (const double p : coefficient) numbers.push_back(rounded(p));
+            for (const double p : coefficient) numbers.push_back(rounded(p, 7));  // as float has them: a third of the text
     return numbers;
 }
 
@@ -157,7 +149,7 @@ Result<HosekFit> fit_hosek2012(const Atmosphere& atmosphere, const HosekFitSetti
     if (!truth) return truth.error();
     const Result<std::vector<Numbers>> fitted = team.computed(fit_jobs(settings, views, *truth), store, "fit", progress);
     if (!fitted) return fitted.error();
-    HosekFit fit{{{}, settings.albedos, settings.turbidities, {}}, settings.altitude, {}};
+    HosekFit fit{{{}, settings.albedos, settings.turbidities, {}, settings.altitude.in(m)}, {}};
     for (const Wavelength w : settings.wavelengths) fit.data.wavelengths_nm.push_back(w.in(nm));
     for (const Numbers& numbers : *fitted) {
         std::vector<HosekCurves> curves(truth->size());
@@ -178,7 +170,7 @@ std::string hosek_csv(const HosekFit& fit, std::string_view atmosphere) {
                     "# radiance = mean (1 + A exp(B / (cos theta + 0.01))) (C + D exp(E gamma) + F cos^2 gamma + G (1 + cos^2 gamma) / "
                     "(1 + I^2 - 2 I cos gamma)^1.5 + H sqrt(cos theta)), mean = the row radiance, W m-2 sr-1 nm-1; bilinear in albedo and "
                     "turbidity",
-                    atmosphere, fit.altitude.in(m)));
+                    atmosphere, fit.data.altitude_m));
 }
 
 }  // namespace airlight

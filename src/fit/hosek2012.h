@@ -18,7 +18,6 @@ struct HosekFitSettings {
 
 struct HosekFit {
     Hosek2012Data data;   // its numbers have seven digits
-    Length altitude;      // of the eye
     Residuals residuals;  // each turbidity, at the fitted suns and between them, 5 to 90 degrees above the horizon
 };
 

@@ -17,6 +17,7 @@ public:
         sum_ += weight * (model / truth - 1.0) * (model / truth - 1.0);
         weight_ += weight;
     }
+    void add(const RelativeRms& other) { sum_ += other.sum_, weight_ += other.weight_; }
     double value() const { return weight_ > 0.0 ? std::sqrt(sum_ / weight_) : 0.0; }
 
 private:

@@ -101,6 +101,26 @@ Result<double> CoefficientTable::number(std::size_t row, std::size_t column) con
     return *value;
 }
 
+Result<std::vector<double>> CoefficientTable::axis(std::size_t column, std::size_t stride, double low, double high) const {
+    std::vector<double> values;
+    for (std::size_t row = 0; row < size(); row += stride) {
+        const Result<double> value = number(row, column);
+        if (!value) return value.error();
+        if (!(*value >= low && *value <= high))
+            return error(row, fmt::format("{} = {:g} is out of range: it must be {:g} to {:g}", columns_[column], *value, low, high));
+        if (!values.empty() && *value <= values.back()) break;
+        values.push_back(*value);
+    }
+    return values;
+}
+
+Result<Done> CoefficientTable::expect(std::size_t row, std::size_t column, double value) const {
+    const Result<double> there = number(row, column);
+    if (!there) return there.error();
+    if (*there == value) return Done{};
+    return error(row, fmt::format("{} = {:g} is out of order: it must be {:g}", columns_[column], *there, value));
+}
+
 Error CoefficientTable::error(std::size_t row, std::string what, std::string remedy) const {
     return {fmt::format("{}:{}", where_, row < rows_.size() ? rows_[row].line : lines_), std::move(what), std::move(remedy)};
 }

@@ -35,6 +35,13 @@ public:
     // Fails unless the cell is a finite number.
     Result<double> number(std::size_t row, std::size_t column) const;
 
+    // The values of a column in every `stride`-th row from the first, until they no longer rise: an axis of a file that has its rows in order.
+    // Fails unless they are within a range.
+    Result<std::vector<double>> axis(std::size_t column, std::size_t stride, double low, double high) const;
+
+    // Fails unless a cell of such a column has the value that its place asks for.
+    Result<Done> expect(std::size_t row, std::size_t column, double value) const;
+
     // An error at a row; size() means the end of the table.
     Error error(std::size_t row, std::string what, std::string remedy = "") const;
 

@@ -21,11 +21,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/axis.h"
 #include "models/coefficient_table.h"
 #include "models/direction_batch.h"
 #include "models/dobashi1997_series.h"
 #include "models/list.h"
-#include "models/wavelength_mix.h"
 
 namespace airlight {
 
@@ -51,7 +51,7 @@ ModelCard card_of(const Dobashi1997Data& data) {
 // One sun, between those of the series.
 class Dobashi1997Dome : public SkyDome {
 public:
-    Dobashi1997Dome(const Dobashi1997Data& data, std::vector<WavelengthMix> mixes, double sun_zenith)
+    Dobashi1997Dome(const Dobashi1997Data& data, std::vector<AxisPlace> mixes, double sun_zenith)
         : basis_(data.basis), bands_(data.bands), mixes_(std::move(mixes)) {
         for (std::size_t w = 0; w < data.wavelengths_nm.size(); ++w) skies_.push_back(data.between_suns(w, sun_zenith));
     }
@@ -61,18 +61,14 @@ public:
         std::fill(radiance.begin(), radiance.end(), 0.0f);
         if (below_horizon(direction)) return;
         const SeriesPlace place(basis_, bands_, direction);
-        const auto at = [&](std::size_t w) { return place.radiance(skies_[w]); };
-        for (std::size_t w = 0; w < mixes_.size(); ++w) {
-            const WavelengthMix& mix = mixes_[w];
-            const double seen = mix.low == mix.high ? at(mix.low) : std::lerp(at(mix.low), at(mix.high), mix.weight);
-            radiance[w] = static_cast<float>(std::max(0.0, seen));
-        }
+        for (std::size_t w = 0; w < mixes_.size(); ++w)
+            radiance[w] = static_cast<float>(std::max(0.0, mixes_[w].between([&](std::size_t i) { return place.radiance(skies_[i]); })));
     }
 
 private:
     SkyBasis basis_;
     std::vector<double> bands_;
-    std::vector<WavelengthMix> mixes_;
+    std::vector<AxisPlace> mixes_;
     std::vector<BandSeries> skies_;  // a wavelength of the data
 };
 
@@ -80,7 +76,7 @@ class Dobashi1997 : public PublishedSky {
 public:
     Dobashi1997(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, Dobashi1997Data data, Reference air)
         : PublishedSky(card_of(data), atmosphere, std::move(wavelengths)), data_(std::move(data)), air_(std::move(air)) {
-        for (const Wavelength w : this->wavelengths()) mixes_.push_back(mix_at(data_.wavelengths_nm, w.in(nm)));
+        for (const Wavelength w : this->wavelengths()) mixes_.push_back(place_on(data_.wavelengths_nm, w.in(nm)));
     }
 
     Result<std::vector<double>> transmittance(Length altitude, double view_zenith, Length distance) const override {
@@ -97,16 +93,14 @@ private:
     // A series may fall below zero where the sky is dark; the sky does not.
     std::vector<double> sky_radiance(const View& view) const override {
         std::vector<double> radiance;
-        for (const WavelengthMix& mix : mixes_) {
-            const double low = data_.radiance(mix.low, view);
-            radiance.push_back(std::max(0.0, mix.low == mix.high ? low : std::lerp(low, data_.radiance(mix.high, view), mix.weight)));
-        }
+        for (const AxisPlace& mix : mixes_)
+            radiance.push_back(std::max(0.0, mix.between([&](std::size_t w) { return data_.radiance(w, view); })));
         return radiance;
     }
 
     Dobashi1997Data data_;
     Reference air_;
-    std::vector<WavelengthMix> mixes_;
+    std::vector<AxisPlace> mixes_;
 };
 
 // The form that the user named; fails if he named another.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "models/axis.h"
 #include "models/coefficient_table.h"
 #include "physics/models/f64.h"
 #include "units/text.h"
@@ -18,17 +19,6 @@ namespace {
 constexpr std::string_view basis_names[] = {"cosines", "samples", "harmonics"};  // in the order of SkyBasis
 constexpr std::string_view columns[] = {"wavelength_nm", "sun_zenith_deg", "band", "factors"};
 constexpr std::string_view stated[] = {"basis", stated_altitude};
-
-struct Place {
-    std::size_t low, high;
-    double weight;  // of high
-};
-Place place(std::span<const double> axis, double x) {
-    if (axis.size() == 1) return {0, 0, 0.0};
-    const auto above = std::upper_bound(axis.begin() + 1, axis.end() - 1, x);
-    const auto high = static_cast<std::size_t>(above - axis.begin());
-    return {high - 1, high, std::clamp((x - axis[high - 1]) / (axis[high] - axis[high - 1]), 0.0, 1.0)};
-}
 
 double between(double first, double second, double weight) { return f64::dobashi1997_between(first, second, weight).value; }
 
@@ -58,20 +48,6 @@ Result<std::vector<double>> factors_of(const CoefficientTable& table, std::size_
     return factors;
 }
 
-// The values of a column in rows of a stride, until they no longer rise.
-Result<std::vector<double>> axis(const CoefficientTable& table, std::size_t column, std::size_t stride, double low, double high) {
-    std::vector<double> values;
-    for (std::size_t row = 0; row < table.size(); row += stride) {
-        const Result<double> value = table.number(row, column);
-        if (!value) return value.error();
-        if (!(*value >= low && *value <= high))
-            return table.error(row, fmt::format("{} = {:g} is out of range: it must be {:g} to {:g}", columns[column], *value, low, high));
-        if (!values.empty() && *value <= values.back()) break;
-        values.push_back(*value);
-    }
-    return values;
-}
-
 // Bands of harmonics are the orders 0, 1, 2...; samples are of as many azimuths in every band, two at least.
 Result<Done> check_band(const CoefficientTable& table, std::size_t row, const Dobashi1997Data& data, std::size_t factors) {
     const std::size_t band = row % data.bands.size(), most = (data.bands.size() - 1 - band) / 2 + 1;
@@ -89,12 +65,8 @@ Result<Done> check_band(const CoefficientTable& table, std::size_t row, const Do
 Result<Done> read_row(const CoefficientTable& table, std::size_t row, Dobashi1997Data& data) {
     const std::size_t bands = data.bands.size(), suns = data.sun_zeniths_deg.size();
     const double expected[] = {data.wavelengths_nm[row / bands / suns], data.sun_zeniths_deg[row / bands % suns], data.bands[row % bands]};
-    for (std::size_t column = 0; column < 3; ++column) {
-        const Result<double> value = table.number(row, column);
-        if (!value) return value.error();
-        if (*value != expected[column])
-            return table.error(row, fmt::format("{} = {:g} is out of order: it must be {:g}", columns[column], *value, expected[column]));
-    }
+    for (std::size_t column = 0; column < 3; ++column)
+        if (const Result<Done> ok = table.expect(row, column, expected[column]); !ok) return ok.error();
     Result<std::vector<double>> factors = factors_of(table, row);
     if (!factors) return factors.error();
     if (const Result<Done> ok = check_band(table, row, data, factors->size()); !ok) return ok.error();
@@ -132,7 +104,7 @@ SeriesPlace::SeriesPlace(SkyBasis basis, std::span<const double> bands, const Di
         for (int order = 0; order <= most; ++order) functions_.push_back(legendre_functions(order, most, std::cos(direction.view_zenith)));
         return;
     }
-    const Place band = place(bands, direction.view_zenith / deg);
+    const AxisPlace band = place_on(bands, direction.view_zenith / deg);
     low_ = band.low, high_ = band.high, weight_ = band.weight;
 }
 
@@ -149,14 +121,14 @@ double SeriesPlace::radiance(const BandSeries& series) const {
 }
 
 double Dobashi1997Data::radiance(std::size_t wavelength, const View& view) const {
-    const Place sun = place(sun_zeniths_deg, view.sun_zenith / deg);
+    const AxisPlace sun = place_on(sun_zeniths_deg, view.sun_zenith / deg);
     const SeriesPlace direction(basis, bands, {view.view_zenith, view.relative_azimuth});
     const auto of = [&](std::size_t s) { return direction.radiance(at(wavelength, s)); };
     return sun.weight == 0.0 ? of(sun.low) : between(of(sun.low), of(sun.high), sun.weight);
 }
 
 BandSeries Dobashi1997Data::between_suns(std::size_t wavelength, double sun_zenith) const {
-    const Place sun = place(sun_zeniths_deg, sun_zenith / deg);
+    const AxisPlace sun = place_on(sun_zeniths_deg, sun_zenith / deg);
     const BandSeries &low = at(wavelength, sun.low), &high = at(wavelength, sun.high);
     BandSeries mixed(bands.size());
     for (std::size_t b = 0; b < mixed.size(); ++b) {
@@ -175,11 +147,11 @@ Result<Dobashi1997Data> parse_dobashi1997(std::string_view text, std::string_vie
     const Result<double> altitude = altitude_m_of(*table);
     if (!altitude) return altitude.error();
     if (table->size() == 0) return table->error(0, "has no series");
-    const auto bands = axis(*table, 2, 1, 0.0, *basis == SkyBasis::harmonics ? 1000.0 : 90.0);
+    const auto bands = table->axis(2, 1, 0.0, *basis == SkyBasis::harmonics ? 1000.0 : 90.0);
     if (!bands) return bands.error();
-    const auto suns = axis(*table, 1, bands->size(), 0.0, 90.0);
+    const auto suns = table->axis(1, bands->size(), 0.0, 90.0);
     if (!suns) return suns.error();
-    const auto wavelengths = axis(*table, 0, bands->size() * suns->size(), 1.0, 1e6);
+    const auto wavelengths = table->axis(0, bands->size() * suns->size(), 1.0, 1e6);
     if (!wavelengths) return wavelengths.error();
     Dobashi1997Data data{*basis, *altitude, *wavelengths, *suns, *bands, {}};
     const std::size_t needed = wavelengths->size() * suns->size() * bands->size();

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/axis.h"
 #include "models/coefficient_table.h"
 #include "models/hipiny2006_data.h"
 #include "models/list.h"
@@ -43,20 +44,10 @@ constexpr ModelCard card{.key = "hipiny2006",
 constexpr double scale_height_m = 8000.0;
 constexpr double aerosol_height_m = 1200.0;
 
-struct Between {
-    std::size_t low, high;
-    double weight;  // of high
-};
-Between between_on(const std::vector<double>& axis, double x) {
-    if (axis.size() == 1) return {0, 0, 0.0};
-    const auto above = static_cast<std::size_t>(std::upper_bound(axis.begin(), axis.end(), x) - axis.begin());
-    const std::size_t high = std::clamp<std::size_t>(above, 1, axis.size() - 1);
-    return {high - 1, high, (x - axis[high - 1]) / (axis[high] - axis[high - 1])};
-}
-
 // The card with what the file can answer.
 ModelCard card_of(const Hipiny2006Data& data) {
     ModelCard c = card;
+    c.lowest_eye = data.altitudes_m.front() * m;
     c.highest_eye = data.altitudes_m.back() * m;
     c.highest_sun_zenith_deg = data.sun_zeniths_deg.back();
     return c;
@@ -90,9 +81,8 @@ public:
 private:
     std::vector<double> sky_radiance(const View& view) const override {
         const f64::Number mu = std::max(0.0, std::cos(view.view_zenith)), nu = view_sun_cosine(view);
-        const f64::Number gamma = f64::angle_of_cosine(nu);
-        const Between h = between_on(data_.altitudes_m, view.altitude.value);
-        const auto at = [&](std::size_t altitude) { return colour(altitude, view.sun_zenith, mu, nu, gamma); };
+        const AxisPlace h = place_on(data_.altitudes_m, view.altitude.value);
+        const auto at = [&](std::size_t altitude) { return colour(altitude, view.sun_zenith, mu, nu); };
         const auto metres = [](double x) { return f64::Length::of(x); };
         f64::ColourYxy c = at(h.low);
         if (h.high != h.low && h.weight > 0.0)
@@ -105,15 +95,12 @@ private:
     }
 
     // At a reference altitude.
-    f64::ColourYxy colour(std::size_t altitude, double sun_zenith, f64::Number mu, f64::Number nu, f64::Number gamma) const {
-        const Between t = between_on(data_.turbidities, turbidity_), s = between_on(data_.sun_zeniths_deg, sun_zenith / deg);
-        const auto patch = [&](std::size_t turbidity, std::size_t sun) {
-            return f64::hipiny2006_patch(in_text(data_.patches[data_.index(altitude, turbidity, sun)], sun_zenith), mu, nu, gamma);
+    f64::ColourYxy colour(std::size_t altitude, double sun_zenith, f64::Number mu, f64::Number nu) const {
+        const AxisPlace t = place_on(data_.turbidities, turbidity_);
+        const auto of = [&](std::size_t turbidity) {
+            return hipiny2006_colour(data_, altitude, turbidity, sun_zenith, mu.value, nu.value);
         };
-        const auto over_suns = [&](std::size_t turbidity) {
-            return f64::mix_colours(patch(turbidity, s.low), patch(turbidity, s.high), s.weight);
-        };
-        return f64::mix_colours(over_suns(t.low), over_suns(t.high), t.weight);
+        return t.low == t.high ? of(t.low) : f64::mix_colours(of(t.low), of(t.high), t.weight);
     }
 
     // Of a way that ends at its distance, or on the ground.

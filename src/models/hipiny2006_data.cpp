@@ -9,6 +9,7 @@
 #include <map>
 #include <tuple>
 
+#include "models/axis.h"
 #include "models/coefficient_table.h"
 
 namespace airlight {
@@ -115,6 +116,16 @@ std::string hipiny2006_csv(const Hipiny2006Data& data, std::string_view comment)
                                         data.sun_zeniths_deg[s], quantities[q], f.a, f.b, f.c, f.d, f.e, f.zenith);
                 }
     return text;
+}
+
+f64::ColourYxy hipiny2006_colour(const Hipiny2006Data& data, std::size_t altitude, std::size_t turbidity, double sun_zenith, double mu,
+                                 double nu) {
+    const AxisPlace suns = place_on(data.sun_zeniths_deg, sun_zenith / deg);
+    const f64::Number gamma = f64::angle_of_cosine(nu);
+    const auto of = [&](std::size_t sun) {
+        return f64::hipiny2006_patch(in_text(data.patches[data.index(altitude, turbidity, sun)], sun_zenith), mu, nu, gamma);
+    };
+    return suns.low == suns.high ? of(suns.low) : f64::mix_colours(of(suns.low), of(suns.high), suns.weight);
 }
 
 f64::Preetham1999 in_text(const Hipiny2006Patch& patch, double sun_zenith) {

@@ -42,6 +42,11 @@ Result<Hipiny2006Data> parse_hipiny2006(std::string_view text, std::string_view 
 // The text that reads back to the same numbers; `comment` becomes its first lines.
 std::string hipiny2006_csv(const Hipiny2006Data& data, std::string_view comment);
 
+// The colour at one of the altitudes and turbidities, between two suns, towards a zenith angle of cosine mu >= 0, at an angle of cosine
+// nu from the sun.
+f64::ColourYxy hipiny2006_colour(const Hipiny2006Data& data, std::size_t altitude, std::size_t turbidity, double sun_zenith, double mu,
+                                 double nu);
+
 // The fit of a patch in the text's form, for a sun.
 f64::Preetham1999 in_text(const Hipiny2006Patch& patch, double sun_zenith);
 

@@ -8,6 +8,7 @@
 //   parameters   data: the published set as a table, or a file of `airlight fit hosek` (hosek2012_data.h); turbidity (1 to 10 in
 //                the published set), the atmosphere's own unless given; the ground's albedo, at each wavelength, from the
 //                atmosphere; the sun 0 to 90 deg from the zenith; wavelengths of the data (320 to 720 nm in the published set).
+//                A file may state another altitude than the ground's, and answers there alone.
 //                A file of one turbidity or albedo is a fit to one atmosphere, and takes none from this one
 //   cost         no precomputation; a formula with two exponentials and three roots a wavelength of the data
 //   reference    the text is physics/models/hosek2012.glsl
@@ -16,12 +17,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/axis.h"
 #include "models/coefficient_table.h"
 #include "models/direction_batch.h"
 #include "models/hosek2012_data.h"
 #include "models/list.h"
 #include "models/turbidity.h"
-#include "models/wavelength_mix.h"
 #include "physics/models/f64.h"
 
 namespace airlight {
@@ -41,7 +42,7 @@ constexpr ModelCard card{.key = "hosek2012",
 // The data for one atmosphere: control points at the wavelengths that are used.
 struct Bands {
     std::vector<Hosek2012Points> points;
-    std::vector<WavelengthMix> mixes;  // one a wavelength of the sky
+    std::vector<AxisPlace> mixes;  // one a wavelength of the sky
 };
 
 // One reading's coefficients at a sun.
@@ -102,15 +103,15 @@ private:
             if (below_horizon(asked[i])) std::fill_n(out + i * n, n, 0.0f);
     }
 
-    std::vector<WavelengthMix> mixes_;
+    std::vector<AxisPlace> mixes_;
     BatchSun sun_;
     std::vector<batch::Hosek2012> bands_;
 };
 
 class Hosek2012Sky : public PublishedSky {
 public:
-    Hosek2012Sky(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, Bands bands, Reference air)
-        : PublishedSky(card, atmosphere, std::move(wavelengths)), bands_(std::move(bands)), air_(std::move(air)) {}
+    Hosek2012Sky(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, Length altitude, Bands bands, Reference air)
+        : PublishedSky(card_at(altitude), atmosphere, std::move(wavelengths)), bands_(std::move(bands)), air_(std::move(air)) {}
 
     Result<std::vector<double>> transmittance(Length altitude, double view_zenith, Length distance) const override {
         if (const Result<Done> ok = within_range({altitude, view_zenith, 0.0, 0.0}); !ok) return ok.error();
@@ -123,14 +124,19 @@ public:
     }
 
 private:
+    static ModelCard card_at(Length altitude) {
+        ModelCard c = card;
+        c.lowest_eye = c.highest_eye = altitude;
+        return c;
+    }
+
     std::vector<double> sky_radiance(const View& view) const override {
         const f64::Number mu = std::max(0.0, std::cos(view.view_zenith)), nu = view_sun_cosine(view);
         const f64::Number gamma = f64::angle_of_cosine(nu);
         std::vector<double> seen, radiance;
         for (const Hosek2012Points& points : bands_.points)
             seen.push_back(f64::hosek2012_radiance(parameters<f64::Hosek2012, f64::Number>(points, view.sun_zenith), mu, nu, gamma).value);
-        for (const WavelengthMix& mix : bands_.mixes)
-            radiance.push_back(std::max(0.0, std::lerp(seen[mix.low], seen[mix.high], mix.weight)));
+        for (const AxisPlace& mix : bands_.mixes) radiance.push_back(std::max(0.0, std::lerp(seen[mix.low], seen[mix.high], mix.weight)));
         return radiance;
     }
 
@@ -151,7 +157,7 @@ Bands bands_of(const Hosek2012Data& data, const Atmosphere& atmosphere, std::spa
         return kept.size() - 1;
     };
     for (const Wavelength wavelength : wavelengths) {
-        const WavelengthMix mix = mix_at(data.wavelengths_nm, wavelength.in(nm));
+        const AxisPlace mix = place_on(data.wavelengths_nm, wavelength.in(nm));
         const std::size_t low = band(mix.low);
         bands.mixes.push_back({low, band(mix.high), mix.weight});
     }
@@ -190,7 +196,8 @@ Result<std::unique_ptr<Sky>> make(const Atmosphere& atmosphere, std::vector<Wave
     Result<Reference> air = Reference::of(atmosphere, wavelengths);
     if (!air) return air.error();
     Bands bands = bands_of(*data, atmosphere, wavelengths, t);
-    return std::unique_ptr<Sky>(std::make_unique<Hosek2012Sky>(atmosphere, std::move(wavelengths), std::move(bands), std::move(*air)));
+    return std::unique_ptr<Sky>(
+        std::make_unique<Hosek2012Sky>(atmosphere, std::move(wavelengths), data->altitude_m * m, std::move(bands), std::move(*air)));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <map>
 #include <tuple>
 
+#include "models/axis.h"
 #include "models/coefficient_table.h"
 
 namespace airlight {
@@ -15,6 +16,8 @@ namespace airlight {
 namespace {
 
 constexpr std::string_view columns[] = {"wavelength_nm", "ground_albedo", "turbidity", "coefficient", "p0", "p1", "p2", "p3", "p4", "p5"};
+
+constexpr std::string_view stated[] = {stated_altitude};
 
 // A row of the file, and where its points go.
 struct Entry {
@@ -86,20 +89,10 @@ std::string first_missing(const Hosek2012Data& data, const std::vector<std::arra
                        data.turbidities[i % t], hosek2012_coefficients[coefficient]);
 }
 
-struct Between {
-    std::size_t low, high;
-    double weight;  // of high
-};
-Between between_on(const std::vector<double>& axis, double x) {
-    if (axis.size() == 1) return {0, 0, 0.0};
-    const std::size_t high = std::clamp<std::size_t>(place(axis, x), 1, axis.size() - 1);
-    return {high - 1, high, (x - axis[high - 1]) / (axis[high] - axis[high - 1])};
-}
-
 }  // namespace
 
 Hosek2012Points Hosek2012Data::between(std::size_t wavelength, double albedo, double turbidity) const {
-    const Between a = between_on(albedos, albedo), t = between_on(turbidities, turbidity);
+    const AxisPlace a = place_on(albedos, albedo), t = place_on(turbidities, turbidity);
     const Hosek2012Points *p00 = &points[index(wavelength, a.low, t.low)], *p01 = &points[index(wavelength, a.low, t.high)],
                           *p10 = &points[index(wavelength, a.high, t.low)], *p11 = &points[index(wavelength, a.high, t.high)];
     Hosek2012Points mixed;
@@ -111,12 +104,14 @@ Hosek2012Points Hosek2012Data::between(std::size_t wavelength, double albedo, do
 }
 
 Result<Hosek2012Data> parse_hosek2012(std::string_view text, std::string_view where) {
-    const Result<CoefficientTable> table = CoefficientTable::parse(text, where, columns);
+    const Result<CoefficientTable> table = CoefficientTable::parse(text, where, columns, stated);
     if (!table) return table.error();
+    const Result<double> altitude = altitude_m_of(*table);
+    if (!altitude) return altitude.error();
     if (table->size() == 0) return table->error(0, "has no coefficients");
     const Result<std::vector<Entry>> all = entries(*table);
     if (!all) return all.error();
-    Hosek2012Data data{values(*all, &Entry::wavelength_nm), values(*all, &Entry::albedo), values(*all, &Entry::turbidity), {}};
+    Hosek2012Data data{values(*all, &Entry::wavelength_nm), values(*all, &Entry::albedo), values(*all, &Entry::turbidity), {}, *altitude};
     // Each row is a combination of its own, so that fewer combinations than rows tells of a hole before memory is taken for it.
     const std::size_t combinations = data.wavelengths_nm.size() * data.albedos.size() * data.turbidities.size();
     if (combinations > all->size())
@@ -137,7 +132,7 @@ Result<Hosek2012Data> parse_hosek2012(std::string_view text, std::string_view wh
 }
 
 std::string hosek2012_csv(const Hosek2012Data& data, std::string_view comment) {
-    std::string text = fmt::format("{}\n{}\n", comment, fmt::join(columns, ","));
+    std::string text = fmt::format("{}\n{}{}\n", comment, altitude_line(data.altitude_m), fmt::join(columns, ","));
     for (std::size_t w = 0; w < data.wavelengths_nm.size(); ++w)
         for (std::size_t a = 0; a < data.albedos.size(); ++a)
             for (std::size_t t = 0; t < data.turbidities.size(); ++t)

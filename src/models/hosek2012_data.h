@@ -1,6 +1,7 @@
 // The coefficients of Hosek and Wilkie's sky: control points by wavelength, albedo of the ground and turbidity.
 // [HosekWilkie2012; HosekWilkie2013]. The published set and fits of `airlight fit hosek` have the same form, a CSV file:
 //     wavelength_nm,ground_albedo,turbidity,coefficient,p0,p1,p2,p3,p4,p5
+// before which may stand "altitude_m = 20000", the altitude of the eye that it is for (else the ground);
 // with coefficients A to I and "radiance" (W m-2 sr-1 nm-1), and every combination once, in any order.
 #pragma once
 
@@ -23,6 +24,7 @@ struct Hosek2012Data {
     std::vector<double> albedos;
     std::vector<double> turbidities;
     std::vector<Hosek2012Points> points;  // [wavelength][albedo][turbidity]
+    double altitude_m = 0.0;              // of the eye
 
     std::size_t index(std::size_t wavelength, std::size_t albedo, std::size_t turbidity) const {
         return (wavelength * albedos.size() + albedo) * turbidities.size() + turbidity;

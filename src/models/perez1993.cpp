@@ -9,15 +9,22 @@
 //   bounds       two that users of the paper found needful: from clearness 1.065 to 2.8 brightness is at least 0.2, or
 //                the fit turns negative; and b is at most 0, for above it the horizon would be infinitely bright. Luminance below zero
 //                is zero
-//   cost         small tables for the light on the ground (seconds); two exponentials a direction
+//   data         a file of `airlight fit perez` (perez1993_data.h): the formula with coefficients of its own at each wavelength and
+//                sun, which give radiance itself, and so have the sky's colours; for the altitude of the eye that it states, and with
+//                sunlight through the atmosphere's own air. Clearness and brightness say nothing then
+//   cost         small tables for the light on the ground (seconds), none with data; two exponentials a direction, and with data four a
+//                wavelength
 //   reference    the text is physics/models/perez.glsl and perez1993.glsl, the table data/perez1993.source.md
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "models/axis.h"
+#include "models/coefficient_table.h"
 #include "models/list.h"
 #include "models/luminance_sky.h"
+#include "models/perez1993_data.h"
 #include "spectrum/colour_weights.h"
 
 namespace airlight {
@@ -61,6 +68,37 @@ struct Weather {
     double clearness, brightness;
 };
 
+// The sky of a file.
+class FittedPerez1993 : public PublishedSky {
+public:
+    FittedPerez1993(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, Perez1993Data data, Reference air)
+        : PublishedSky(card_of(data), atmosphere, std::move(wavelengths)), data_(std::move(data)), air_(std::move(air)) {}
+
+    Result<std::vector<double>> transmittance(Length altitude, double view_zenith, Length distance) const override {
+        if (const Result<Done> ok = within_range({altitude, view_zenith, 0.0, 0.0}); !ok) return ok.error();
+        return air_.transmittance(altitude, view_zenith, distance);
+    }
+
+private:
+    static ModelCard card_of(const Perez1993Data& data) {
+        ModelCard c = card;
+        c.lowest_eye = c.highest_eye = data.altitude_m * m;
+        c.highest_sun_zenith_deg = data.sun_zeniths_deg.back();
+        return c;
+    }
+
+    std::vector<double> sky_radiance(const View& view) const override {
+        std::vector<double> radiance;
+        for (const Wavelength wavelength : wavelengths())
+            radiance.push_back(
+                place_on(data_.wavelengths_nm, wavelength.in(nm)).between([&](std::size_t w) { return data_.radiance(w, view); }));
+        return radiance;
+    }
+
+    Perez1993Data data_;
+    Reference air_;
+};
+
 class Perez1993 : public LuminanceSky {
 public:
     // `visible` tells illuminances; none if the user gave both.
@@ -99,6 +137,8 @@ private:
 };
 
 Result<Done> check(const ModelOptions& options) {
+    if (!options.data.empty() && (options.clearness || options.brightness))
+        return Error{std::string(card.key), "takes no clearness and no brightness beside a fitted file", ""};
     if (options.clearness && !(*options.clearness >= 1.0))
         return Error{std::string(card.key), fmt::format("does not answer a clearness of {:g}: it is 1 or more", *options.clearness), ""};
     if (options.brightness && !(*options.brightness > 0.0 && *options.brightness <= 1.0))
@@ -107,8 +147,20 @@ Result<Done> check(const ModelOptions& options) {
     return Done{};
 }
 
+Result<std::unique_ptr<Sky>> make_fitted(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, const ModelOptions& options) {
+    const Result<CoefficientText> text = coefficient_text(card.key, options.data, "a file of `airlight fit perez`");
+    if (!text) return text.error();
+    Result<Perez1993Data> data = parse_perez1993(text->text, text->where);
+    if (!data) return data.error();
+    if (const Result<Done> ok = data_covers(data->wavelengths_nm, wavelengths, card.key); !ok) return ok.error();
+    Result<Reference> air = Reference::of(atmosphere, wavelengths);
+    if (!air) return air.error();
+    return std::unique_ptr<Sky>(std::make_unique<FittedPerez1993>(atmosphere, std::move(wavelengths), std::move(*data), std::move(*air)));
+}
+
 Result<std::unique_ptr<Sky>> make(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, const ModelOptions& options) {
     if (const Result<Done> ok = check(options); !ok) return ok.error();
+    if (!options.data.empty()) return make_fitted(atmosphere, std::move(wavelengths), options);
     const auto ground = LuminanceSky::ground_light(atmosphere, wavelengths, options);
     if (!ground) return ground.error();
     std::shared_ptr<const TableSky> visible;

@@ -8,6 +8,9 @@
 //                haze's phase function is Henyey and Greenstein's here, with g = 0.76
 //   parameters   turbidity, 1.7 to 10: the atmosphere's own (optical depth of air and aerosol over that of air, 550 nm)
 //                unless given; the sun's spectrum scales nothing, for luminances are absolute
+//   data         a file of `airlight fit preetham` (preetham1999_data.h): coefficients of another air, for the turbidities and the
+//                altitude of the eye that it states (of one turbidity it takes none). Sunlight and transmittance are then those of the
+//                atmosphere's own air, and there is no aerial perspective, whose two layers are the Earth's
 //   cost         no precomputation; three of Perez's formulas a direction; an aerial perspective sums 128 directions of the sky.
 //                In pictures: preetham1999_rgb.h
 //   transmittance  over 1,000 km or more the whole air's, as of sunlight; over less that of the two layers, which differ by some percent
@@ -19,7 +22,9 @@
 
 #include "atmosphere/constituents.h"
 #include "core/quadrature.h"
+#include "models/coefficient_table.h"
 #include "models/list.h"
+#include "models/preetham1999_data.h"
 #include "models/turbidity.h"
 #include "optics/aerosol_laws.h"
 #include "optics/gases.h"
@@ -80,8 +85,8 @@ Rise rise(double view_zenith, Length distance) {
 
 class Preetham1999 : public PublishedSky {
 public:
-    Preetham1999(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, double turbidity)
-        : PublishedSky(card, atmosphere, std::move(wavelengths)),
+    Preetham1999(const ModelCard& range, const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, double turbidity)
+        : PublishedSky(range, atmosphere, std::move(wavelengths)),
           turbidity_(turbidity),
           daylight_(this->wavelengths()),
           air_(air_of(this->wavelengths(), turbidity)) {}
@@ -104,6 +109,12 @@ public:
         }
         return seen;
     }
+
+protected:
+    double turbidity() const { return turbidity_; }
+
+    // The formula for a sun.
+    virtual f64::Preetham1999 formula(double sun_zenith) const { return f64::preetham1999(turbidity_, sun_zenith); }
 
 private:
     // Light that turns towards the eye, over the scattering coefficient.
@@ -149,9 +160,9 @@ private:
 
     std::vector<double> sky_radiance(const View& view) const override {
         const double mu = std::cos(view.view_zenith), nu = view_sun_cosine(view);
-        const f64::ColourYxy c = f64::preetham1999_sky(f64::preetham1999(turbidity_, view.sun_zenith), mu, nu);
+        const f64::ColourYxy c = f64::preetham1999_sky(formula(view.sun_zenith), mu, nu);
         std::vector<double> radiance(wavelengths().size());
-        daylight_.radiance({c.x.value, c.y.value}, c.luminance.value, radiance);
+        daylight_.radiance({c.x.value, c.y.value}, std::max(0.0, c.luminance.value), radiance);
         return radiance;
     }
 
@@ -160,10 +171,56 @@ private:
     std::vector<Air> air_;
 };
 
+// The sky of a file.
+class FittedPreetham1999 : public Preetham1999 {
+public:
+    FittedPreetham1999(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, const Preetham1999Data& data, double turbidity,
+                       Reference air)
+        : Preetham1999(card_of(data), atmosphere, std::move(wavelengths), turbidity), data_(data), air_(std::move(air)) {}
+
+    Result<std::vector<double>> transmittance(Length altitude, double view_zenith, Length distance) const override {
+        if (const Result<Done> ok = within_range({altitude, view_zenith, 0.0, 0.0}); !ok) return ok.error();
+        return air_.transmittance(altitude, view_zenith, distance);
+    }
+
+    Result<AerialPerspective> aerial_perspective(const View&, Length) const override {
+        return Error{name(), "has no aerial perspective with a fitted file", "Leave the file out, if the air is the Earth's."};
+    }
+
+private:
+    static ModelCard card_of(const Preetham1999Data& data) {
+        ModelCard c = card;
+        c.lowest_eye = c.highest_eye = data.altitude_m * m;
+        return c;
+    }
+
+    f64::Preetham1999 formula(double sun_zenith) const override { return in_text(data_, turbidity(), sun_zenith); }
+
+    Preetham1999Data data_;
+    Reference air_;
+};
+
+Result<std::unique_ptr<Sky>> make_fitted(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, const ModelOptions& options) {
+    const Result<CoefficientText> text = coefficient_text(card.key, options.data, "a file of `airlight fit preetham`");
+    if (!text) return text.error();
+    const Result<Preetham1999Data> data = parse_preetham1999(text->text, text->where);
+    if (!data) return data.error();
+    double t = data->lowest_turbidity;
+    if (data->highest_turbidity > t) {
+        const Result<double> asked = turbidity_in(t, data->highest_turbidity, card.key, atmosphere, options);
+        if (!asked) return asked.error();
+        t = *asked;
+    }
+    Result<Reference> air = Reference::of(atmosphere, wavelengths);
+    if (!air) return air.error();
+    return std::unique_ptr<Sky>(std::make_unique<FittedPreetham1999>(atmosphere, std::move(wavelengths), *data, t, std::move(*air)));
+}
+
 Result<std::unique_ptr<Sky>> make(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, const ModelOptions& options) {
+    if (!options.data.empty()) return make_fitted(atmosphere, std::move(wavelengths), options);
     const Result<double> t = turbidity_in(lowest_turbidity, highest_turbidity, card.key, atmosphere, options);
     if (!t) return t.error();
-    return std::unique_ptr<Sky>(std::make_unique<Preetham1999>(atmosphere, std::move(wavelengths), *t));
+    return std::unique_ptr<Sky>(std::make_unique<Preetham1999>(card, atmosphere, std::move(wavelengths), *t));
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
-// Where a wavelength lies between those of a file of coefficients. What the file says is linear between two of its wavelengths.
+// Where a value lies between those of an axis of a file of coefficients: what the file says is linear between two of them.
 // Uses core and units.
 #pragma once
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -14,17 +15,24 @@
 
 namespace airlight {
 
-struct WavelengthMix {
+struct AxisPlace {
     std::size_t low, high;
-    double weight;  // of high
+    double weight;  // of high; 0 where low is all that counts, which is high then as well
+
+    // Between what f says of low and of high.
+    template <class F>
+    double between(F f) const {
+        return low == high ? f(low) : std::lerp(f(low), f(high), weight);
+    }
 };
 
-// `data_nm` increases; `w_nm` lies within.
-inline WavelengthMix mix_at(const std::vector<double>& data_nm, double w_nm) {
-    const auto above = std::lower_bound(data_nm.begin(), data_nm.end(), w_nm);
-    const auto high = static_cast<std::size_t>(above - data_nm.begin());
-    if (*above == w_nm) return {high, high, 0.0};
-    return {high - 1, high, (w_nm - data_nm[high - 1]) / (data_nm[high] - data_nm[high - 1])};
+// `axis` increases. What lies beyond an end is taken for the end.
+inline AxisPlace place_on(std::span<const double> axis, double x) {
+    const auto above = std::lower_bound(axis.begin(), axis.end(), x);
+    const auto high = static_cast<std::size_t>(above - axis.begin());
+    if (high == axis.size()) return {high - 1, high - 1, 0.0};
+    if (high == 0 || *above == x) return {high, high, 0.0};
+    return {high - 1, high, (x - axis[high - 1]) / (axis[high] - axis[high - 1])};
 }
 
 // Fails if a wavelength lies outside of the data's.
