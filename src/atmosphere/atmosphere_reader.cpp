@@ -193,12 +193,9 @@ Result<Atmosphere> read_table(const toml::table& root, std::string_view name, co
 }  // namespace
 
 Result<Atmosphere> parse_atmosphere(std::string_view toml, std::string_view file) {
-    try {
-        return read_table(toml::parse(toml), file, {});
-    } catch (const toml::parse_error& error) {  // toml++ is built to throw; no exception leaves this function
-        return Error{fmt::format("{}:{}", file, error.source().begin.line), fmt::format("it is not TOML: {}", error.description()),
-                     "See docs/atmosphere-file.md."};
-    }
+    const Result<toml::table> table = parse_toml(toml, file, "See docs/atmosphere-file.md.");
+    if (!table) return table.error();
+    return read_table(*table, file, {});
 }
 
 Result<Atmosphere> read_atmosphere(const std::filesystem::path& path) {

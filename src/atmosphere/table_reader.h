@@ -3,7 +3,7 @@
 #pragma once
 
 #include "atmosphere/atmosphere.h"
-#include "atmosphere/toml_input.h"
+#include "toml/toml_input.h"
 
 namespace airlight {
 

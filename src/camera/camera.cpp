@@ -25,7 +25,7 @@ Vec3 direction_of(double latitude, double longitude) {
     return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude), std::sin(latitude)};
 }
 
-Camera look(const Place& place, double radius_m) {
+Camera look(const Viewpoint& place, double radius_m) {
     const Vec3 zenith = direction_of(place.latitude, place.longitude);
     const Vec3 east(-std::sin(place.longitude), std::cos(place.longitude), 0.0);
     const Vec3 north = glm::cross(zenith, east);

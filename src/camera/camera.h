@@ -27,13 +27,13 @@ HalfSize half_size(const Camera& camera);
 Camera look(Vec3 eye, Vec3 forward, Vec3 up);
 
 // A place over a sphere and a direction in its local frame, east-north-up. Angles in radians, heading from north, clockwise.
-struct Place {
+struct Viewpoint {
     double latitude = 0.0, longitude = 0.0;
     double altitude_m = 2.0;
     double heading = 0.0;
     double pitch = 0.0;  // above the horizontal
 };
-Camera look(const Place& place, double radius_m);
+Camera look(const Viewpoint& place, double radius_m);
 
 // The unit vector of a latitude and a longitude; its east and north (at the poles, those of the longitude).
 Vec3 direction_of(double latitude, double longitude);

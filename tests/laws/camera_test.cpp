@@ -18,12 +18,12 @@ TEST_CASE("a camera's frame is right-handed and of length one, whatever it is ma
 
 TEST_CASE("a place's frame is east-north-up, with headings clockwise from north") {
     const double r = 6.36e6;
-    const Camera north = look(Place{.latitude = 0.3, .longitude = 1.1}, r);
+    const Camera north = look(Viewpoint{.latitude = 0.3, .longitude = 1.1}, r);
     CHECK(north.forward.z > 0.9);
     CHECK(glm::length(north.eye) == doctest::Approx(r + 2.0).epsilon(1e-15));
-    const Camera east = look(Place{.latitude = 0.3, .longitude = 1.1, .heading = 90.0 * deg}, r);
+    const Camera east = look(Viewpoint{.latitude = 0.3, .longitude = 1.1, .heading = 90.0 * deg}, r);
     CHECK(glm::length(east.forward - north.right) < 1e-15);
-    const Camera down = look(Place{.latitude = 0.3, .longitude = 1.1, .pitch = -90.0 * deg}, r);
+    const Camera down = look(Viewpoint{.latitude = 0.3, .longitude = 1.1, .pitch = -90.0 * deg}, r);
     CHECK(glm::length(down.forward + direction_of(0.3, 1.1)) < 1e-15);
 }
 

@@ -80,7 +80,8 @@ Camera camera_at(const HeightField& field, double above_m) {
     const double ground = std::max(0.0, field.sample(zenith, 1.0).height_m);
     const double dip = std::acos(field.radius_m / (field.radius_m + above_m));
     return look(
-        Place{.latitude = 38.0 * deg, .longitude = 21.0 * deg, .altitude_m = ground + above_m, .heading = 60.0 * deg, .pitch = -dip - 0.1},
+        Viewpoint{
+            .latitude = 38.0 * deg, .longitude = 21.0 * deg, .altitude_m = ground + above_m, .heading = 60.0 * deg, .pitch = -dip - 0.1},
         field.radius_m);
 }
 

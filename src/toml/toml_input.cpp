@@ -1,4 +1,4 @@
-#include "atmosphere/toml_input.h"
+#include "toml/toml_input.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,6 +106,14 @@ std::optional<double> TomlInput::number(std::string_view key) {
     return {};
 }
 
+std::optional<bool> TomlInput::truth(std::string_view key) {
+    const toml::node* node = find(key);
+    if (!node) return {};
+    if (const auto* value = node->as_boolean()) return value->get();
+    refuse(key, "it must be true or false", "");
+    return {};
+}
+
 std::optional<std::string> TomlInput::text(std::string_view key) {
     const toml::node* node = find(key);
     if (!node) return {};
@@ -193,6 +201,15 @@ std::vector<TomlInput> TomlInput::tables(std::string_view key) {
     if (result.size() != wanted)
         refuse(key, "it must be one table or several", fmt::format("Write [[{}]] on a line of its own.", full(key)));
     return result;
+}
+
+Result<toml::table> parse_toml(std::string_view text, std::string_view file, std::string_view remedy) {
+    try {
+        return toml::parse(text);
+    } catch (const toml::parse_error& error) {  // toml++ is built to throw; no exception leaves this function
+        return Error{fmt::format("{}:{}", file, error.source().begin.line), fmt::format("it is not TOML: {}", error.description()),
+                     std::string(remedy)};
+    }
 }
 
 }  // namespace airlight

@@ -1,5 +1,5 @@
 // A TOML table read key by key: the first thing that is wrong is kept, with its line, its key, its value and the rule.
-// Uses core, units and toml++; knows nothing of atmospheres. Private to this module's sources.
+// Uses core, units and toml++; knows nothing of atmospheres and scenes.
 #pragma once
 
 #include <fmt/format.h>
@@ -36,6 +36,7 @@ public:
     bool is_table(std::string_view key);
 
     std::optional<double> number(std::string_view key);
+    std::optional<bool> truth(std::string_view key);
     std::optional<std::string> text(std::string_view key);
     std::optional<Length> length(std::string_view key);
     std::optional<double> angle(std::string_view key);  // radians
@@ -97,5 +98,8 @@ std::optional<Curve<X, Y>> read_curve(TomlInput& table, std::string_view x_key, 
     table.refuse(x_key, curve.error().what, curve.error().remedy);
     return {};
 }
+
+// A file's text as a table; fails with its line if it is not TOML.
+Result<toml::table> parse_toml(std::string_view text, std::string_view file, std::string_view remedy);
 
 }  // namespace airlight

@@ -1,0 +1,44 @@
+#include "scene/scene.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "terrain/raster_relief.h"
+
+namespace airlight {
+
+Result<HeightField> ground_of(const Scene& scene) {
+    const GroundScene& g = scene.ground;
+    if (!g.elevation) {
+        ProceduralRelief relief{.radius_m = g.radius_m, .sea = g.sea};
+        relief.continents.seed += 2 * (g.seed - 1), relief.mountains.seed += 2 * (g.seed - 1);
+        return procedural_height(relief);
+    }
+    Result<std::shared_ptr<const Raster>> raster = Raster::open(*g.elevation);
+    if (!raster) return raster.error();
+    return raster_height(*raster, {.radius_m = g.radius_m, .sea = g.sea, .seed = g.seed}, level_height(g.radius_m));
+}
+
+Result<Camera> camera_of(const Scene& scene, const HeightField& ground, int width, int height) {
+    Viewpoint view = scene.camera.viewpoint;
+    const double there = ground.sample(direction_of(view.latitude, view.longitude), 1.0).height_m;
+    const double surface = ground.sea ? std::max(0.0, there) : there;
+    if (scene.camera.above_ground) view.altitude_m += surface;
+    if (view.altitude_m <= surface)
+        return Error{scene.file,
+                     fmt::format("camera.altitude = \"{:.1f} m\" is in the ground, which is at {:.1f} m there.", view.altitude_m, surface),
+                     "Write a larger one, or camera.above_ground."};
+    Camera camera = look(view, ground.radius_m);
+    camera.vertical_field_of_view = scene.camera.vertical_field_of_view;
+    camera.width = width, camera.height = height;
+    return camera;
+}
+
+Vec3 towards_sun(const Scene& scene) {
+    Viewpoint level = scene.camera.viewpoint;
+    level.heading = scene.sun.azimuth, level.pitch = 0.5 * pi - scene.sun.zenith;
+    return look(level, scene.ground.radius_m).forward;
+}
+
+}  // namespace airlight

@@ -1,0 +1,55 @@
+// What a picture shows: a ground, a camera and a sun, as a person writes them down. docs/scene-file.md.
+// Uses camera, sun and terrain; knows no GPU.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "camera/camera.h"
+#include "core/result.h"
+#include "terrain/height_field.h"
+
+namespace airlight {
+
+struct GroundScene {
+    std::optional<std::filesystem::path> elevation;  // a raster; else octaves of noise
+    double radius_m = 6'371'000.0;
+    bool sea = true;  // what lies below 0 m is under water
+    std::uint32_t seed = 1;
+};
+
+struct CameraScene {
+    Viewpoint viewpoint;        // its altitude is above 0 m
+    bool above_ground = false;  // then above the ground, or the sea, instead
+    double vertical_field_of_view = 60.0 * deg;
+};
+
+// As seen from the camera's place.
+struct SunScene {
+    double zenith = 45.0 * deg;
+    double azimuth = 180.0 * deg;
+    double distance_au = 1.0;
+};
+
+struct Scene {
+    std::string file;  // for messages
+    GroundScene ground;
+    CameraScene camera;
+    SunScene sun;
+};
+
+// The scene of a TOML text; paths in it are relative to the folder of `file`. Fails with file, line, key, value, the rule and what to do.
+Result<Scene> parse_scene(std::string_view toml, std::string_view file);
+Result<Scene> read_scene(const std::filesystem::path& path);
+
+// Fails as Raster::open() does.
+Result<HeightField> ground_of(const Scene& scene);
+
+// Fails if the camera would be in the ground.
+Result<Camera> camera_of(const Scene& scene, const HeightField& ground, int width, int height);
+
+// Of length one, along the axes of the world.
+Vec3 towards_sun(const Scene& scene);
+
+}  // namespace airlight

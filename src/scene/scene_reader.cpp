@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/files.h"
+#include "scene/scene.h"
+#include "sun/position.h"
+#include "toml/toml_input.h"
+
+namespace airlight {
+
+namespace {
+
+constexpr double farthest_m = 1e9;
+
+// A value within a range, or a failure that says the range in the unit of the file.
+void keep_within(TomlInput& table, std::string_view key, std::optional<double> value, double low, double high, std::string_view rule,
+                 double& kept) {
+    if (!value) return;
+    if (*value < low || *value > high) table.refuse(key, fmt::format("it must be {}", rule), "");
+    else kept = *value;
+}
+
+std::optional<double> metres(std::optional<Length> length) {
+    if (!length) return {};
+    return length->in(m);
+}
+
+void read_ground(TomlInput& file, Scene& scene, const std::filesystem::path& folder) {
+    auto ground = file.table("ground");
+    if (!ground) return;
+    if (const auto path = ground->text("elevation")) scene.ground.elevation = folder / *path;
+    keep_within(*ground, "radius", metres(ground->length("radius")), 1e5, 1e8, "from 100 km to 100000 km", scene.ground.radius_m);
+    if (const auto sea = ground->truth("sea")) scene.ground.sea = *sea;
+    double seed = 1.0;
+    keep_within(*ground, "seed", ground->number("seed"), 1.0, 1e6, "from 1 to 1000000", seed);
+    if (seed != std::floor(seed)) ground->refuse("seed", "it must be a whole number", "");
+    scene.ground.seed = static_cast<std::uint32_t>(seed);
+    ground->refuse_unknown_keys();
+}
+
+void read_altitude(TomlInput& camera, CameraScene& c) {
+    c.above_ground = camera.has("above_ground");
+    if (c.above_ground == camera.has("altitude")) {
+        if (c.above_ground) camera.refuse("altitude", "above_ground is given as well", "Keep one of them.");
+        else camera.refuse_missing("altitude", "Write altitude = \"3 km\" (above 0 m), or above_ground = \"2 m\".");
+        return;
+    }
+    const std::string_view key = c.above_ground ? "above_ground" : "altitude";
+    const double least = c.above_ground ? 0.2 : -1e5;
+    keep_within(camera, key, metres(camera.length(key)), least, farthest_m, fmt::format("from {} m to 1000000 km", least),
+                c.viewpoint.altitude_m);
+}
+
+void read_camera(TomlInput& file, Scene& scene) {
+    auto camera = file.table("camera");
+    if (!camera) {
+        if (!file.has("camera"))
+            file.refuse_missing("camera", "Write [camera], latitude = \"46 deg\", longitude = \"8 deg\", altitude = \"3 km\".");
+        return;
+    }
+    CameraScene& c = scene.camera;
+    for (const auto& [key, remedy] :
+         {std::pair{"latitude", "North is positive: \"46 deg\"."}, {"longitude", "East is positive: \"8 deg\"."}})
+        if (!camera->has(key)) camera->refuse_missing(key, remedy);
+    keep_within(*camera, "latitude", camera->angle("latitude"), -90.0 * deg, 90.0 * deg, "from -90 deg to 90 deg", c.viewpoint.latitude);
+    keep_within(*camera, "longitude", camera->angle("longitude"), -180.0 * deg, 360.0 * deg, "from -180 deg to 360 deg",
+                c.viewpoint.longitude);
+    read_altitude(*camera, c);
+    keep_within(*camera, "heading", camera->angle("heading"), -360.0 * deg, 360.0 * deg, "from -360 deg to 360 deg", c.viewpoint.heading);
+    keep_within(*camera, "pitch", camera->angle("pitch"), -90.0 * deg, 90.0 * deg, "from -90 deg to 90 deg", c.viewpoint.pitch);
+    keep_within(*camera, "field_of_view", camera->angle("field_of_view"), 1.0 * deg, 150.0 * deg, "from 1 deg to 150 deg",
+                c.vertical_field_of_view);
+    camera->refuse_unknown_keys();
+}
+
+// The sun over the camera's place at a moment.
+void read_time(TomlInput& sun, Scene& scene) {
+    for (const char* key : {"zenith", "azimuth"})
+        if (sun.has(key)) sun.refuse(key, "time is given as well, which says where the sun stands", "Keep one of them.");
+    const auto words = sun.text("time");
+    if (!words) return;
+    const Result<Utc> time = parse_utc(*words);
+    if (!time) {
+        sun.refuse("time", time.error().what, time.error().remedy);
+        return;
+    }
+    const Viewpoint& at = scene.camera.viewpoint;
+    const SunPosition position = sun_position({at.latitude, std::remainder(at.longitude, 2.0 * pi), 0.0 * m}, *time);
+    scene.sun = {position.direction.zenith, position.direction.azimuth, position.distance_au};
+}
+
+void read_sun(TomlInput& file, Scene& scene) {
+    auto sun = file.table("sun");
+    if (!sun) return;
+    if (sun->has("time")) read_time(*sun, scene);
+    else {
+        keep_within(*sun, "zenith", sun->angle("zenith"), 0.0, pi, "from 0 deg to 180 deg", scene.sun.zenith);
+        keep_within(*sun, "azimuth", sun->angle("azimuth"), -360.0 * deg, 360.0 * deg, "from -360 deg to 360 deg", scene.sun.azimuth);
+    }
+    sun->refuse_unknown_keys();
+}
+
+}  // namespace
+
+Result<Scene> parse_scene(std::string_view toml, std::string_view name) {
+    const Result<toml::table> table = parse_toml(toml, name, "See docs/scene-file.md.");
+    if (!table) return table.error();
+    TomlFailure failure{std::string(name), {}};
+    TomlInput file(*table, "", failure);
+    Scene scene;
+    scene.file = name;
+    read_ground(file, scene, std::filesystem::path(name).parent_path());
+    read_camera(file, scene);
+    if (!failure.first) read_sun(file, scene);
+    else file.has("sun");
+    file.refuse_unknown_keys();
+    if (failure.first) return *failure.first;
+    return scene;
+}
+
+Result<Scene> read_scene(const std::filesystem::path& path) {
+    const Result<std::string> text = read_file(path, std::size_t{1} << 20);
+    if (!text) return text.error();
+    return parse_scene(*text, path.string());
+}
+
+}  // namespace airlight
