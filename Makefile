@@ -4,13 +4,14 @@
 FIGURES := density_profile mean_density sky_columns sky_parameter phase_functions sky_by_altitude sky_from_altitudes scattering_orders \
   rayleigh_coefficient rayleigh_scale_height mie_coefficient mie_scale_height
 
-.PHONY: help setup build demo test truth models figures bench fuzz check sanitize install clean
+.PHONY: help setup build demo test truth models models-grounds figures bench fuzz check sanitize install clean
 
 help:
 	@echo 'make demo      install what is missing, build, and compute a real sky; names the files it wrote'
 	@echo 'make test      the same set-up, then every test'
 	@echo 'make truth     every row of the independent figures in ../shared/reference, ending in a verdict (about ten minutes)'
 	@echo 'make models    every model against the reference: docs/models.md, and out/models/report.html (about twelve minutes; goes on if stopped)'
+	@echo 'make models-grounds  the same for other grounds and turbid air: docs/models-grounds.md (about ten minutes; goes on if stopped)'
 	@echo 'make figures   the pictures of docs/gallery.md, in docs/images/figures (three minutes; goes on if stopped)'
 	@echo 'make bench     benchmarks'
 	@echo 'make fuzz      fuzz every parser of files from strangers, FUZZ_SECONDS=60 each'
@@ -41,6 +42,12 @@ truth: build
 models: build
 	build/release/apps/airlight/airlight compare --atmosphere earth-clear,earth-hazy --eyes-m 0,2000,10000,30000,400000 \
 	  --suns 0,30,60,75,85,90,96 --paths 8192 --table docs/models.md -o out/models
+
+# A second page, of other grounds and turbid air (earth-urban: turbidity 5.8), by day and deep into twilight.
+models-grounds: build
+	build/release/apps/airlight/airlight compare --atmosphere earth-clear,earth-urban --ground black,grass,snow --eyes-m 0 \
+	  --suns 30,60,85,96,102 --paths 2048 --size 0 --cache out/models-grounds/tables --by 'make models-grounds' \
+	  --table docs/models-grounds.md -o out/models-grounds
 
 # What is newer than the program and its script is not made again.
 figures: setup build/release/build.ninja

@@ -37,6 +37,8 @@ struct CompareOptions {
     std::string sizes;
     int orders = BakeSettings{}.orders;
     int size = 96;
+    std::string cache;
+    std::string command = "make models";
     std::string folder;
     std::string page;
     bool quiet = false;
@@ -150,6 +152,9 @@ Result<CompareSettings> settings_of(const CompareOptions& given) {
     for (const Air& air : settings.airs)
         if (const Result<Done> covered = covers(air.atmosphere, settings.wavelengths.first(), settings.wavelengths.last()); !covered)
             return at(air.name, covered.error());
+    settings.kept_tables = !given.cache.empty();
+    if (settings.kept_tables) settings.options.cache.folder = given.cache;
+    settings.aerial_perspective = settings.against == Against::reference;
     settings.single_scattering = !given.page.empty() && settings.against == Against::reference;
     return settings;
 }
@@ -191,7 +196,7 @@ Result<Done> run(const CompareOptions& given) {
     if (!comparison) return comparison.error();
     if (const Result<Done> written = write_report(folder, *comparison); !written) return written.error();
     if (!given.page.empty())
-        if (const Result<Done> written = write_file(given.page, models_page(*comparison, "make models")); !written) return written.error();
+        if (const Result<Done> written = write_file(given.page, models_page(*comparison, given.command)); !written) return written.error();
     print_summary(*comparison);
     for (const char* name : {"report.html", "scores.csv", "scores.json"}) fmt::print("# {}\n", (folder / name).string());
     if (!given.page.empty()) fmt::print("# {}\n", given.page);
@@ -237,7 +242,7 @@ Command compare_command(CLI::App& airlight) {
         ->capture_default_str();
     app->add_option("--band", given->band, "measured skies: wavelengths that count, in nm")->option_text("<nm:nm>")->capture_default_str();
     app->add_option("--paths", given->paths,
-                    "reference: paths a direction; 24 times as many with the sun beyond 80 deg, 96 times from space beyond 85")
+                    "reference: paths a direction; 24 times as many with the sun beyond 80 deg, 192 beyond 98, 96 from space beyond 85")
         ->option_text("<n>")
         ->capture_default_str();
     app->add_option("--seed", given->seed, "reference: the same seed gives the same digits")->option_text("<n>")->capture_default_str();
@@ -252,6 +257,11 @@ Command compare_command(CLI::App& airlight) {
         ->option_text("<n>")
         ->capture_default_str();
     app->add_option("--table", given->page, "also write the page of models, as docs/models.md is written")->option_text("<file.md>");
+    app->add_option("--by", given->command, "the command that the page of models names as its own")
+        ->option_text("<command>")
+        ->capture_default_str();
+    app->add_option("--cache", given->cache, "keep tables there, for all models and runs; what they cost is then not told")
+        ->option_text("<folder>");
     app->add_flag("--quiet", given->quiet, "no progress on standard error");
     app->footer(help_footer(
         "CSV, one row an air and model: means over the conditions that it answers; then lines that begin with #, the files:\n"

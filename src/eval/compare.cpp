@@ -126,6 +126,8 @@ public:
             if (const Result<Done> drawn = draw_truth(); !drawn) return at(run_.air.name, drawn.error());
         if (settings_.single_scattering)
             if (const Result<Done> done = judge_single_scattering(progress.stop); !done) return done.error();
+        if (settings_.aerial_perspective)
+            if (const Result<Done> done = look_at_points(progress.stop); !done) return done.error();
         for (std::size_t i = 0; i < settings_.models.size(); ++i) {
             if (progress.stop.stop_requested()) return interrupted();
             const double share = 0.8 / static_cast<double>(settings_.models.size());
@@ -136,10 +138,10 @@ public:
     }
 
 private:
-    // Nothing comes from a cache: what is computed ahead is measured.
+    // Unless tables are kept nothing comes from a cache: what is computed ahead is measured.
     Result<std::unique_ptr<Sky>> make(const std::string& key, MakingCost& cost, const Progress& progress) const {
         ModelOptions options = settings_.options;
-        options.cache.enabled = false;
+        options.cache.enabled = settings_.kept_tables;
         options.reference.paths = settings_.paths;
         options.progress.stop = progress.stop;
         options.progress.report = [progress](std::string_view, double fraction) { progress.report("models", 0.5 * fraction); };
@@ -157,6 +159,20 @@ private:
             if (stop.stop_requested()) return interrupted();
             const bool by_day = truth.condition.sun_zenith_deg <= end_of_day_deg;
             run_.single->cells.push_back({.verdict = by_day ? judged(sky, truth, run_.air.atmosphere.sun, weights_) : Verdict{}});
+        }
+        return Done{};
+    }
+
+    // The truths of aerial perspective; they take seconds, and are not kept.
+    Result<Done> look_at_points(const std::stop_token& stop) {
+        const Result<Reference> reference = Reference::of(run_.air.atmosphere, wavelengths_of(settings_));
+        if (!reference) return at(run_.air.name, reference.error());
+        const ReferenceSettings how{.paths = settings_.paths, .seed = settings_.options.reference.seed};
+        for (const SkyTruth& truth : run_.truths) {
+            if (!aerial_judged(run_.air.atmosphere, truth.condition)) continue;
+            Result<std::vector<AerialTruth>> seen = aerial_truths(*reference, run_.air.atmosphere, truth.condition, how, {.stop = stop});
+            if (!seen) return stop.stop_requested() ? interrupted() : at(run_.air.name, seen.error());
+            run_.aerial.insert(run_.aerial.end(), seen->begin(), seen->end());
         }
         return Done{};
     }
@@ -215,6 +231,7 @@ private:
         parallel_for(run_.truths.size(), [&](std::size_t i) {
             if (!progress.stop.stop_requested()) run.cells[i].verdict = judged(sky, run_.truths[i], run_.air.atmosphere.sun, weights_);
         });
+        if (!run_.aerial.empty()) run.aerial = judged_aerial(sky, run_.aerial);
         for (std::size_t i = 0; i < run.cells.size() && !progress.stop.stop_requested(); ++i) {
             const Verdict& verdict = run.cells[i].verdict;
             if (!verdict.sky && !verdict.ground) continue;
@@ -320,7 +337,7 @@ Result<Comparison> compare(const CompareSettings& settings) {
         if (!find_model(key)) return make_sky(key, settings.airs.front().atmosphere, wavelengths_of(settings)).error();
     Result<std::vector<std::vector<SkyTruth>>> truths = truths_of(settings);
     if (!truths) return truths.error();
-    Comparison comparison{settings.against, settings.wavelengths, settings.paths, {}};
+    Comparison comparison{settings.against, settings.wavelengths, settings.paths, settings.kept_tables, {}};
     const double share = 1.0 / static_cast<double>(settings.airs.size());
     for (std::size_t i = 0; i < settings.airs.size(); ++i) {
         AirJudge judge(settings, settings.airs[i]);

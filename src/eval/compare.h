@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/progress.h"
+#include "eval/aerial.h"
 #include "eval/cost.h"
 #include "eval/score.h"
 #include "eval/views.h"
@@ -29,7 +30,9 @@ struct CompareSettings {
     WavelengthGrid wavelengths = WavelengthGrid::standard();
     ModelOptions options = {};                               // of all models
     std::map<std::string, std::filesystem::path> data = {};  // of one model: its data set
+    bool aerial_perspective = false;                         // whether it is judged, too, by day and against the reference
     bool single_scattering = false;                          // whether the reference also says what single scattering alone gives
+    bool kept_tables = false;                                // whether tables come from options.cache: nobody then knows what they cost
     int picture_size = 96;                                   // pixels across; 0: no pictures, maps and profiles
     std::filesystem::path truth_folder = {};                 // finished truths are kept there
     std::function<void(const Error& warning)> warn = [](const Error&) {};
@@ -55,6 +58,7 @@ struct ModelRun {
     MakingCost making = {};
     std::optional<AskingCost> asking = {};
     std::vector<Cell> cells = {};  // one a truth
+    std::optional<AerialVerdict> aerial = {};
     std::vector<Drawn> pictures = {};
 };
 
@@ -68,13 +72,15 @@ struct AirRun {
     std::vector<std::vector<double>> profiles = {};  // of the tables
     std::vector<Drawn> pictures = {};                // by the tables
     std::vector<ModelRun> models = {};
-    std::optional<ModelRun> single = {};  // light scattered once alone, by the reference: the floor of single scattering, by day
+    std::vector<AerialTruth> aerial = {};  // of all conditions under which it is judged
+    std::optional<ModelRun> single = {};   // light scattered once alone, by the reference: the floor of single scattering, by day
 };
 
 struct Comparison {
     Against against;
     WavelengthGrid wavelengths;
     std::int64_t paths;
+    bool kept_tables;  // so that core time ahead is not what it would be
     std::vector<AirRun> airs;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "eval/report.h"
@@ -27,6 +28,12 @@ std::vector<double> altitudes_m(const AirRun& air) {
     std::set<double> altitudes;
     for (const SkyTruth& truth : air.truths) altitudes.insert(truth.condition.altitude.in(m));
     return {altitudes.begin(), altitudes.end()};
+}
+
+std::vector<double> suns_deg(const AirRun& air) {
+    std::set<double> suns;
+    for (const SkyTruth& truth : air.truths) suns.insert(truth.condition.sun_zenith_deg);
+    return {suns.begin(), suns.end()};
 }
 
 std::string altitude_text(double altitude_m) {
@@ -58,12 +65,32 @@ std::string orders_text(Orders orders) {
     return "";
 }
 
-std::string order_table(const AirRun& air) {
+// What a column of numbers is the mean over.
+struct Column {
+    std::string name;
+    std::function<bool(const Condition&)> holds;
+};
+
+// A column an eye, or, if there is only one, a column a sun.
+std::vector<Column> columns_of(const AirRun& air) {
+    std::vector<Column> columns;
     const std::vector<double> eyes = altitudes_m(air);
+    if (eyes.size() > 1) {
+        for (const double eye : eyes)
+            columns.push_back({altitude_text(eye) + ", all suns", [eye](const Condition& c) { return c.altitude.in(m) == eye; }});
+        return columns;
+    }
+    for (const double sun : suns_deg(air))
+        columns.push_back({fmt::format("sun {:g}°", sun), [sun](const Condition& c) { return c.sun_zenith_deg == sun; }});
+    return columns;
+}
+
+std::string order_table(const Comparison& comparison, const AirRun& air) {
+    const std::vector<Column> columns = columns_of(air);
     std::string text = "| model | orders | by day |";
     std::string rule = "|---|---|---:|";
-    for (const double eye : eyes) {
-        text += fmt::format(" {}, all suns |", altitude_text(eye));
+    for (const Column& column : columns) {
+        text += fmt::format(" {} |", column.name);
         rule += "---:|";
     }
     text += " noise | luminance | u′v′ | ΔE₀₀ | picture, one core | ahead, core time | memory |\n" + rule +
@@ -71,18 +98,58 @@ std::string order_table(const AirRun& air) {
     for (const ModelRun* model : ordered(air)) {
         const Summary day = summary(air, *model, common_ground(air));
         text += fmt::format("| `{}` | {} | {} |", model->card.key, orders_text(orders_of(model->card)), percent_or_dash(day));
-        for (const double eye : eyes)
-            text +=
-                fmt::format(" {} |", percent_or_dash(summary(air, *model, [eye](const Condition& c) { return c.altitude.in(m) == eye; })));
+        for (const Column& column : columns) text += fmt::format(" {} |", percent_or_dash(summary(air, *model, column.holds)));
         if (day.answered > 0)
             text += fmt::format(" {} | {} | {:.4f} | {:.2f} |", percent_text(day.noise), percent_text(day.luminance_rmse),
                                 day.chromaticity_rmse, day.colour_difference);
         else text += " | | | |";
         text += model->asking ? fmt::format(" {} |", time_text(picture_seconds(*model->asking))) : " – |";
-        text += model->refusal.empty() ? fmt::format(" {} | {} |\n", time_text(model->making.core_seconds), bytes_text(model->making.bytes))
-                                       : " – | – |\n";
+        const bool made = model->refusal.empty();
+        text += fmt::format(" {} | {} |\n", made && !comparison.kept_tables ? time_text(model->making.core_seconds) : "–",
+                            made ? bytes_text(model->making.bytes) : "–");
     }
     return text;
+}
+
+// "12.3 / 0.004": light in per cent, transmittance; * where some views are refused.
+std::string aerial_cell(const AerialScore& score) {
+    if (score.answered == 0) return "–";
+    return fmt::format("{} / {:.4f}{}", percent_text(score.light_rmse), score.transmittance_rmse, score.answered < score.asked ? "*" : "");
+}
+
+// Models by the error of the light at the middle distance.
+std::string aerial_table(const AirRun& air) {
+    if (air.aerial.empty()) return "";
+    std::vector<const ModelRun*> models;
+    for (const ModelRun& model : air.models)
+        if (model.aerial &&
+            std::any_of(model.aerial->at.begin(), model.aerial->at.end(), [](const AerialScore& s) { return s.answered > 0; }))
+            models.push_back(&model);
+    const auto error = [](const ModelRun* model) { return model->aerial->at[1].answered > 0 ? model->aerial->at[1].light_rmse : 1e300; };
+    std::stable_sort(models.begin(), models.end(), [&](const ModelRun* a, const ModelRun* b) { return error(a) < error(b); });
+    std::string text = "| aerial perspective |", rule = "|---|";
+    for (const double distance : aerial_distances_m) {
+        text += fmt::format(" to {} |", altitude_text(distance));
+        rule += "---:|";
+    }
+    text += "\n" + rule + "\n";
+    for (const ModelRun* model : models) {
+        text += fmt::format("| `{}` |", model->card.key);
+        for (const AerialScore& score : model->aerial->at) text += fmt::format(" {} |", aerial_cell(score));
+        text += "\n";
+    }
+    double highest_sun = 0.0;
+    for (const AerialTruth& truth : air.aerial) highest_sun = std::max(highest_sun, truth.view.sun_zenith / deg);
+    std::string noise;
+    for (const AerialScore& score : models.empty() ? AerialVerdict{}.at : models.front()->aerial->at)
+        noise += fmt::format("{}{}", noise.empty() ? "" : ", ", percent_text(score.noise));
+    return fmt::format(
+        "What the air adds before points at three distances (root-mean-square relative error in %, the truth's noise of {} % taken off) "
+        "and "
+        "what it lets through (root-mean-square difference), over the horizon towards the sun and away from it and 4° below it, from eyes "
+        "in "
+        "the air with the sun {:g}° from the zenith at most:\n\n{}\n",
+        noise, highest_sun, text);
 }
 
 // Errors on the common ground of the models with these orders, increasing.
@@ -162,7 +229,7 @@ std::string order_explained(const AirRun& air) {
         range_text(errors_of(air, Orders::fitted)));
     const Summary once = air.single ? summary(air, *air.single, common_ground(air)) : Summary{};
     if (once.answered > 0) text += floor_explained(air, once.relative_rmse);
-    return text + "\n\n" + real_time(air) + "\n";
+    return text + "\n\n" + (altitudes_m(air).size() > 1 ? real_time(air) + "\n" : "");
 }
 
 std::string range_line(const ModelCard& card) {
@@ -233,13 +300,12 @@ std::string model_section(const Comparison& comparison, std::size_t index) {
 
 std::string head(const Comparison& comparison, const std::string& command) {
     std::string suns, eyes;
-    std::set<double> sun_set;
-    for (const SkyTruth& truth : comparison.airs.front().truths) sun_set.insert(truth.condition.sun_zenith_deg);
-    for (const double sun : sun_set) suns += fmt::format("{}{:g}°", suns.empty() ? "" : ", ", sun);
+    for (const double sun : suns_deg(comparison.airs.front())) suns += fmt::format("{}{:g}°", suns.empty() ? "" : ", ", sun);
     for (const double eye : altitudes_m(comparison.airs.front())) eyes += fmt::format("{}{}", eyes.empty() ? "" : ", ", altitude_text(eye));
     return fmt::format(
         "# Every model of the sky against the truth\nWritten by `{}`, all of it; how the figures are made: `src/eval`.\n\n"
-        "The truth is {} ({} paths a direction by day, 24 times as many with the sun beyond 80°, 96 times from space in twilight), at {} "
+        "The truth is {} ({} paths a direction by day, 24 times as many with the sun beyond 80°, 192 times beyond 98°, 96 times from space "
+        "in twilight), at {} "
         "wavelengths from {:g} to {:g} nm, "
         "with the eye at {} and the sun {} from the zenith. Percentages are root-mean-square relative errors over directions above the "
         "horizon (twelve from the zenith to 0.3°; from space six "
@@ -265,7 +331,10 @@ Orders orders_of(const ModelCard& card) {
 std::string models_page(const Comparison& comparison, const std::string& command) {
     std::string text = head(comparison, command);
     for (const AirRun& air : comparison.airs)
-        text += fmt::format("## In order: {}\n{}\n{}\n", air.air.name, order_explained(air), order_table(air));
+        text +=
+            fmt::format("## In order: {}\n{}\n{}\n{}", air.air.name, order_explained(air), order_table(comparison, air), aerial_table(air));
+    // With one eye the tables above say it all.
+    if (altitudes_m(comparison.airs.front()).size() == 1) return text;
     text += "## Model by model, in %\n";
     for (std::size_t i = 0; i < comparison.airs.front().models.size(); ++i) text += model_section(comparison, i);
     return text;

@@ -32,7 +32,7 @@ std::string mean_cell(const Summary& s, double value, const std::string& text) {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-std::string summary_row(const AirRun& air, const ModelRun& model, const std::string& anchor) {
+std::string summary_row(const AirRun& air, const ModelRun& model, const std::string& anchor, bool kept_tables) {
     const Summary all = summary(air, model);
     const Summary day = summary(air, model, [](const Condition& c) { return c.sun_zenith_deg <= end_of_day_deg; });
     const Summary dusk = summary(air, model, [](const Condition& c) { return c.sun_zenith_deg > end_of_day_deg; });
@@ -45,7 +45,7 @@ std::string summary_row(const AirRun& air, const ModelRun& model, const std::str
     row += mean_cell(all, all.colour_difference, fmt::format("{:.2f}", all.colour_difference));
     row += number_cell(-all.answered, fmt::format("{} of {}", all.answered, all.asked));
     if (model.refusal.empty()) {
-        row += number_cell(model.making.core_seconds, time_text(model.making.core_seconds));
+        row += kept_tables ? no_cell() : number_cell(model.making.core_seconds, time_text(model.making.core_seconds));
         row += number_cell(static_cast<double>(model.making.bytes), bytes_text(model.making.bytes));
     } else {
         row += no_cell() + no_cell();
@@ -61,12 +61,12 @@ std::string summary_row(const AirRun& air, const ModelRun& model, const std::str
 
 std::string anchor_of(std::size_t air, const ModelRun& model) { return fmt::format("m{}-{}", air, model.card.key); }
 
-std::string summary_table(const AirRun& air, std::size_t index) {
+std::string summary_table(const AirRun& air, std::size_t index, bool kept_tables) {
     std::string html =
         "<div class=\"scroll\"><table class=\"sorts\"><thead><tr><th>model</th><th>by day<br>%</th><th>twilight<br>%</th>"
         "<th>spectral<br>mW m⁻² sr⁻¹ nm⁻¹</th><th>luminance<br>%</th><th>u′v′</th><th>ΔE₀₀</th><th>answered</th><th>ahead<br>core time</th>"
         "<th>memory</th><th>a direction</th><th>200 × 100<br>picture</th><th class=\"words\">scattering</th></tr></thead><tbody>\n";
-    for (const std::size_t i : nearest_first(air)) html += summary_row(air, air.models[i], anchor_of(index, air.models[i]));
+    for (const std::size_t i : nearest_first(air)) html += summary_row(air, air.models[i], anchor_of(index, air.models[i]), kept_tables);
     return html + "</tbody></table></div>\n";
 }
 
@@ -189,9 +189,10 @@ std::string model_details(const AirRun& air, std::size_t index, const ModelRun& 
 std::string method(const Comparison& comparison) {
     std::string html = fmt::format("<p>The truth is {}.", truth_text(comparison));
     if (comparison.against == Against::reference)
-        html +=
-            fmt::format(" It has {} paths a direction by day, 24 times as many with the sun beyond 80°, 96 times from space in twilight.",
-                        comparison.paths);
+        html += fmt::format(
+            " It has {} paths a direction by day, 24 times as many with the sun beyond 80°, 192 times beyond 98°, 96 times from space in "
+            "twilight.",
+            comparison.paths);
     html +=
         " Percentages are root-mean-square relative errors over directions above the horizon and wavelengths, less the truth’s own "
         "variance; directions "
@@ -220,7 +221,7 @@ std::string report_html(const Comparison& comparison) {
     for (std::size_t i = 0; i < comparison.airs.size(); ++i) {
         const AirRun& air = comparison.airs[i];
         html += fmt::format("<section><h2>{}</h2>\n<h3>In short</h3>\n{}<h3>By condition, %</h3>\n{}", html_text(air.air.name),
-                            summary_table(air, i), heat_table(air, i));
+                            summary_table(air, i, comparison.kept_tables), heat_table(air, i));
         html += pictures(air) + "<h3>Model by model</h3>\n";
         for (const ModelRun& model : air.models) html += model_details(air, i, model, comparison.against == Against::measured);
         html += "</section>\n";

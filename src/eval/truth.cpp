@@ -4,6 +4,7 @@ namespace airlight {
 
 std::int64_t paths_for(std::int64_t by_day, const Condition& condition) {
     if (condition.sun_zenith_deg <= 80.0) return by_day;
+    if (condition.sun_zenith_deg > 98.0) return by_day * 192;
     return by_day * (condition.altitude > 100.0 * km && condition.sun_zenith_deg > 85.0 ? 96 : 24);
 }
 

@@ -1,6 +1,6 @@
 // reference: the truth, by Monte Carlo on spherical shells (transport/reference.h).
 //   parameters   paths in each direction, seed
-//   leaves out   polarisation, refraction
+//   leaves out   polarisation, refraction; aerial perspective for an eye in space
 #include "models/list.h"
 #include "sky/reference_sky.h"
 
@@ -24,7 +24,8 @@ Model reference_model() {
              .approach = "Monte Carlo on spherical shells, double precision, with standard errors",
              .precomputation = "none",
              .memory = "below 1 MiB",
-             .highest_eye = anywhere},
+             .highest_eye = anywhere,
+             .aerial_perspective = true},
             make};
 }
 

@@ -20,4 +20,11 @@ Result<std::vector<double>> ReferenceSky::transmittance(Length altitude, double 
     return reference_.transmittance(altitude, view_zenith, distance);
 }
 
+Result<AerialPerspective> ReferenceSky::aerial_perspective(const View& view, Length distance) const {
+    if (const Result<Done> ok = check_view(view.altitude, view.view_zenith, view.sun_zenith, view.relative_azimuth); !ok) return ok.error();
+    Result<RadianceEstimate> light = reference_.inscattered(view, distance, settings_, progress_);
+    if (!light) return light.error();
+    return AerialPerspective{reference_.transmittance(view.altitude, view.view_zenith, distance), std::move(light->radiance_W_m2_sr_nm)};
+}
+
 }  // namespace airlight

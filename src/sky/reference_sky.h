@@ -16,6 +16,7 @@ public:
     Result<RadianceEstimate> radiance(const View& view) const override;
     Result<IrradianceEstimate> irradiance(Length altitude, double sun_zenith) const override;
     Result<std::vector<double>> transmittance(Length altitude, double view_zenith, Length distance) const override;
+    Result<AerialPerspective> aerial_perspective(const View& view, Length distance) const override;
 
 private:
     Length bottom_radius() const override { return bottom_radius_; }

@@ -98,7 +98,7 @@ Entry entry(double altitude, Vec3 up, const Vec3& direction, const Vec3& sun, co
         up = glm::normalize(r * up + t * direction);
         altitude = top;
     }
-    return {{altitude, up, direction, sun}, false};
+    return {{altitude, up, direction, sun, {}}, false};
 }
 
 bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
@@ -107,15 +107,12 @@ Vec3 from_angles(double zenith, double azimuth) {
     return {std::sin(zenith) * std::cos(azimuth), std::sin(zenith) * std::sin(azimuth), std::cos(zenith)};
 }
 
-Result<RadianceEstimate> radiance_at(double altitude, const Vec3& up, const Vec3& direction, const Vec3& sun,
-                                     const ReferenceSettings& settings, const Progress& progress,
-                                     const std::vector<std::shared_ptr<const PathTracer>>& packs) {
-    if (Result<Done> checked = check(settings); !checked) return checked.error();
-    if (!finite(up) || !finite(direction) || !finite(sun) || !std::isfinite(altitude))
-        return Error{"", "an eye, a view or a sun that is not finite", ""};
-    if (altitude < 0.0) return Error{"", fmt::format("the eye is {} m below the ground", -altitude), "Give an altitude of 0 m or more."};
+using Packs = std::vector<std::shared_ptr<const PathTracer>>;
+
+// Of paths from a start; zeros if they would miss the air.
+Result<RadianceEstimate> radiance_from(const Entry& begin, const ReferenceSettings& settings, const Progress& progress,
+                                       const Packs& packs) {
     RadianceEstimate result;
-    const Entry begin = entry(altitude, up, direction, sun, packs.front()->columns());
     for (std::size_t p = 0; p < packs.size(); ++p) {
         const int count = packs[p]->optics().wavelength_count;
         Estimate found{f64::Spectrum(f64::Number(0.0)), f64::Spectrum(f64::Number(0.0))};
@@ -134,6 +131,15 @@ Result<RadianceEstimate> radiance_at(double altitude, const Vec3& up, const Vec3
         result.standard_error.insert(result.standard_error.end(), found.standard_error.v, found.standard_error.v + count);
     }
     return result;
+}
+
+Result<RadianceEstimate> radiance_at(double altitude, const Vec3& up, const Vec3& direction, const Vec3& sun,
+                                     const ReferenceSettings& settings, const Progress& progress, const Packs& packs) {
+    if (Result<Done> checked = check(settings); !checked) return checked.error();
+    if (!finite(up) || !finite(direction) || !finite(sun) || !std::isfinite(altitude))
+        return Error{"", "an eye, a view or a sun that is not finite", ""};
+    if (altitude < 0.0) return Error{"", fmt::format("the eye is {} m below the ground", -altitude), "Give an altitude of 0 m or more."};
+    return radiance_from(entry(altitude, up, direction, sun, packs.front()->columns()), settings, progress, packs);
 }
 
 }  // namespace
@@ -166,6 +172,20 @@ Result<RadianceEstimate> Reference::radiance(const Vec3& eye, const Vec3& view, 
     return radiance_at(r - columns_->bottom(), eye / r, glm::normalize(view), glm::normalize(sun), settings, progress, packs_);
 }
 
+Result<RadianceEstimate> Reference::inscattered(const View& view, Length distance, const ReferenceSettings& settings,
+                                                const Progress& progress) const {
+    if (Result<Done> checked = check(settings); !checked) return checked.error();
+    const double altitude = view.altitude.value;
+    if (!(altitude >= 0.0 && altitude <= columns_->top()))
+        return Error{"", fmt::format("an eye at {} m lies outside the air", altitude), ""};
+    if (!std::isfinite(view.view_zenith) || !std::isfinite(view.sun_zenith) || !std::isfinite(view.relative_azimuth))
+        return Error{"", "a view or a sun that is not finite", ""};
+    if (!(distance > 0.0 * m)) return Error{"", fmt::format("a distance of {} m: it must be above 0", distance.value), ""};
+    const PathTracer::Start start{
+        altitude, {0.0, 0.0, 1.0}, from_angles(view.view_zenith, 0.0), from_angles(view.sun_zenith, view.relative_azimuth), distance.value};
+    return radiance_from({start, false}, settings, progress, packs_);
+}
+
 Result<IrradianceEstimate> Reference::irradiance(Length altitude, double sun_zenith, const ReferenceSettings& settings,
                                                  const Progress& progress) const {
     if (Result<Done> checked = check(settings); !checked) return checked.error();
@@ -180,7 +200,7 @@ Result<IrradianceEstimate> Reference::irradiance(Length altitude, double sun_zen
         const TracePath trace = [&](int hero, double u, Random& random) {
             // Directions in proportion to their cosine: pi times the mean radiance is the irradiance.
             const Vec3 direction = turned(up, std::sqrt(random()), 2.0 * pi * random());
-            return pack->radiance({altitude.value, up, direction, sun}, {settings.first_order, settings.last_order}, hero, u, random) *
+            return pack->radiance({altitude.value, up, direction, sun, {}}, {settings.first_order, settings.last_order}, hero, u, random) *
                    f64::Number(pi) / f64::RadianceSpectrum::Scalar::of(1.0);
         };
         const Result<Estimate> traced = estimate(trace, pack->heroes(), settings, progress, 0.0, 1.0);

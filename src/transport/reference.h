@@ -55,6 +55,11 @@ public:
     Result<RadianceEstimate> radiance(const Vec3& eye, const Vec3& view, const Vec3& sun, const ReferenceSettings& settings,
                                       const Progress& progress = {}) const;
 
+    // The part of that radiance that the air within a distance of the eye turns towards it: what aerial perspective adds to the light
+    // of a point there. The ground's own light is not in it. Fails if the eye lies outside the air.
+    Result<RadianceEstimate> inscattered(const View& view, Length distance, const ReferenceSettings& settings,
+                                         const Progress& progress = {}) const;
+
     // What falls on a level plane at an altitude from above: 0 <= altitude <= top.
     Result<IrradianceEstimate> irradiance(Length altitude, double sun_zenith, const ReferenceSettings& settings,
                                           const Progress& progress = {}) const;

@@ -94,6 +94,14 @@ struct PathTracer::Collision {
     ColumnSet density;  // where there is air
 };
 
+// Where in the air a collision may lie: a ray, the columns of the part of it that counts, and the share of each wavelength's light
+// that scatterers stop there.
+struct PathTracer::Leg {
+    Columns::Ray ray;
+    ColumnSet total;
+    Spectrum share;
+};
+
 PathTracer::PathTracer(AirOptics optics, std::shared_ptr<const Columns> columns)
     : optics_(std::move(optics)),
       columns_(std::move(columns)),
@@ -161,14 +169,15 @@ Spectrum PathTracer::ground_share(const Spectrum& air_share) const {
     return ground;
 }
 
-// Moves the path to its next collision, in the air or with the ground; false if there is none.
-bool PathTracer::advance(Path& path, double u, Random& random, Collision& collision) const {
-    const Columns::Ray ray = columns_->ray(path.h, std::clamp(glm::dot(path.up, path.direction), -1.0, 1.0));
-    // The share of each wavelength's light that scatterers stop before the ray's end.
-    const Spectrum share = share_absorbed(depth(ray.total, scatterers_));
+// Moves the path to its next collision, in the air or with the ground; false if there is none. With a reach, in the air within it.
+bool PathTracer::advance(Path& path, std::optional<double> reach, double u, Random& random, Collision& collision) const {
+    Leg leg{columns_->ray(path.h, std::clamp(glm::dot(path.up, path.direction), -1.0, 1.0)), {}, {}};
+    const Columns::Ray& ray = leg.ray;
+    leg.total = reach && *reach < ray.length ? columns_->at_distance(ray, *reach).column : ray.total;
+    leg.share = share_absorbed(depth(leg.total, scatterers_));
     collision.ground = false;
-    if (ray.ground) {
-        const Spectrum ground = ground_share(share);
+    if (ray.ground && !reach) {
+        const Spectrum ground = ground_share(leg.share);
         collision.ground = random() < ground.v[path.hero];
         path.density = path.density * (collision.ground ? ground : Spectrum(f64::Number(1.0)) - ground);
     }
@@ -177,18 +186,20 @@ bool PathTracer::advance(Path& path, double u, Random& random, Collision& collis
         path.move(ray.length, 0.0, columns_->bottom());
         return true;
     }
-    return collide(path, ray, share, u, random, collision);
+    return collide(path, leg, u, random, collision);
 }
 
 // Moves the path to a collision with a scatterer of the air, given that there is one; false if there is none.
-bool PathTracer::collide(Path& path, const Columns::Ray& ray, const Spectrum& share, double u, Random& random, Collision& collision) const {
+bool PathTracer::collide(Path& path, const Leg& leg, double u, Random& random, Collision& collision) const {
+    const Columns::Ray& ray = leg.ray;
+    const Spectrum& share = leg.share;
     const double low_mu_s = f64::sun_cosine_at(f64::Length::of(path.h), glm::dot(path.up, path.sun), glm::dot(path.direction, path.sun),
                                                f64::Length::of(ray.low_t), f64::Length::of(ray.low_h), optics_.bottom_radius)
                                 .value;
     const double beta = low_mu_s < low_sun ? aid_share : 0.0;
     Columns::Stop stop;
     if (beta > 0.0 && random() < beta) {
-        stop = columns_->at_depth(ray, aid_, u * ray.total.v[aid_index_]);
+        stop = columns_->at_depth(ray, aid_, u * leg.total.v[aid_index_]);
     } else {
         if (!(share.v[path.hero] > 0.0)) return false;
         stop = columns_->at_depth(ray, hero_[path.hero], -std::log1p(-u * share.v[path.hero]));
@@ -200,7 +211,7 @@ bool PathTracer::collide(Path& path, const Columns::Ray& ray, const Spectrum& sh
             coefficient.v[i] += optics_.parts[static_cast<std::size_t>(c)].extinction.v[i] * stop.density.v[c];
     const Spectrum reached = exp(-depth(stop.column, scatterers_));
     const double aid_density =
-        beta > 0.0 && ray.total.v[aid_index_] > 0.0 ? beta * stop.density.v[aid_index_] / ray.total.v[aid_index_] : 0.0;
+        beta > 0.0 && leg.total.v[aid_index_] > 0.0 ? beta * stop.density.v[aid_index_] / leg.total.v[aid_index_] : 0.0;
     for (int i = 0; i < pack_size; ++i)
         path.density.v[i] *= (1.0 - beta) * coefficient.v[i] * reached.v[i] / std::max(share.v[i], 1e-300) + aid_density;
     path.weight = path.weight * exp(-depth(stop.column, all_parts_));
@@ -271,7 +282,8 @@ f64::RadianceSpectrum PathTracer::radiance(const Start& start, Orders orders, in
     f64::RadianceSpectrum sum(f64::RadianceSpectrum::Scalar::of(0.0));
     Path path{start.altitude, start.up, start.direction, start.sun, hero, Spectrum(f64::Number(1.0)), Spectrum(f64::Number(1.0))};
     Collision collision;
-    for (int order = 1; advance(path, order == 1 ? first_u : random(), random, collision); ++order) {
+    for (int order = 1; advance(path, order == 1 ? start.reach : std::nullopt, order == 1 ? first_u : random(), random, collision);
+         ++order) {
         if (order >= orders.first) sum += path.weight * f64::Number(1.0 / drawn_density(path)) * sunlit(path, collision, random);
         if (order == orders.last) break;
         turn(path, collision, random);

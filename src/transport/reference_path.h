@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "transport/columns.h"
@@ -21,6 +22,8 @@ public:
         Vec3 up;          // unit vectors
         Vec3 direction;
         Vec3 sun;  // towards the centre of its disk
+        // If said, only light that is turned towards the start by the air within this distance counts, and none from the ground there.
+        std::optional<double> reach = {};  // m, > 0
     };
     struct Orders {
         int first;  // only light scattered (or reflected by the ground) at least so often is counted, >= 1,
@@ -53,8 +56,9 @@ private:
     f64::Spectrum depth(const ColumnSet& columns, const std::vector<int>& parts) const;
     f64::Spectrum ground_share(const f64::Spectrum& air_share) const;
     f64::IrradianceSpectrum sunlight(double altitude, const Vec3& up, const Vec3& direction, double u) const;
-    bool advance(Path& path, double u, Random& random, Collision& collision) const;
-    bool collide(Path& path, const Columns::Ray& ray, const f64::Spectrum& share, double u, Random& random, Collision& collision) const;
+    struct Leg;
+    bool advance(Path& path, std::optional<double> reach, double u, Random& random, Collision& collision) const;
+    bool collide(Path& path, const Leg& leg, double u, Random& random, Collision& collision) const;
     f64::RadianceSpectrum sunlit(const Path& path, const Collision& collision, Random& random) const;
     void turn(Path& path, const Collision& collision, Random& random) const;
     bool goes_on(Path& path, Random& random) const;

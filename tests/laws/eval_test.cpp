@@ -8,6 +8,7 @@
 
 #include "atmosphere/presets.h"
 #include "core/files.h"
+#include "eval/aerial.h"
 #include "eval/ciede2000.h"
 #include "eval/drawn.h"
 #include "eval/measured_sky.h"
@@ -301,4 +302,79 @@ TEST_CASE("a comparison's page needs no other file, names every model, and says 
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + 4);
     CHECK(nearest_first(air) == std::vector<std::size_t>{0, 1});
     CHECK(models_page(*comparison, "make models").find("`tables`") != std::string::npos);
+}
+
+namespace {
+
+// Air of one transmittance that adds one light, up to a distance.
+class EvenAir : public Sky {
+public:
+    EvenAir(double light, double transmittance, Length furthest) : light_(light), transmittance_(transmittance), furthest_(furthest) {}
+    std::string name() const override { return "even air"; }
+    std::span<const Wavelength> wavelengths() const override { return {}; }
+    Result<RadianceEstimate> radiance(const View&) const override { return Error{"", "none", ""}; }
+    Result<IrradianceEstimate> irradiance(Length, double) const override { return Error{"", "none", ""}; }
+    Result<std::vector<double>> transmittance(Length, double, Length) const override { return Error{"", "none", ""}; }
+    Result<AerialPerspective> aerial_perspective(const View&, Length distance) const override {
+        if (distance > furthest_) return Error{"even air", "ends before", ""};
+        return AerialPerspective{{transmittance_, transmittance_}, {light_, light_}};
+    }
+
+private:
+    Length bottom_radius() const override { return 6360.0 * km; }
+    double light_, transmittance_;
+    Length furthest_;
+};
+
+}  // namespace
+
+TEST_CASE("aerial perspective is judged by the relative error of its light and the difference of its transmittance, distance by distance") {
+    std::vector<AerialTruth> truths;
+    for (const std::size_t d : {0, 0, 1, 2}) truths.push_back({{}, d, {0.5, 0.5}, {{2.0, 2.0}, {0.0, 0.0}}});
+    const AerialVerdict verdict = judged_aerial(EvenAir(2.2, 0.6, 20.0 * km), truths);
+    CHECK(verdict.at[0].asked == 2);
+    CHECK(verdict.at[2].asked == 1);
+    CHECK(verdict.at[2].answered == 0);
+    CHECK(verdict.refusal == "ends before");
+    for (const int d : {0, 1}) {
+        CHECK(verdict.at[static_cast<std::size_t>(d)].light_rmse == doctest::Approx(0.1));
+        CHECK(verdict.at[static_cast<std::size_t>(d)].transmittance_rmse == doctest::Approx(0.1));
+    }
+    // The truth's variance is taken off.
+    for (AerialTruth& truth : truths) truth.inscattered.standard_error = {0.2, 0.2};
+    CHECK(judged_aerial(EvenAir(2.2, 0.6, 20.0 * km), truths).at[0].light_rmse < 1e-7);
+    CHECK(judged_aerial(EvenAir(2.2, 0.6, 20.0 * km), truths).at[0].noise == doctest::Approx(0.1));
+}
+
+TEST_CASE("points behind the ground are not looked at, and aerial perspective is judged by day from within the air") {
+    const Bench bench;
+    CHECK(aerial_judged(bench.atmosphere, {2.0 * km, 60.0}));
+    CHECK(!aerial_judged(bench.atmosphere, {2.0 * km, 85.0}));
+    CHECK(!aerial_judged(bench.atmosphere, {400.0 * km, 30.0}));
+    const Reference reference = *Reference::of(bench.atmosphere, {bench.grid.begin(), bench.grid.end()});
+    // From the ground nothing is seen 4 degrees below the horizontal; from 2 km the ground is 29 km away there.
+    CHECK(aerial_truths(reference, bench.atmosphere, {0.0 * m, 60.0}, {.paths = 128})->size() == 6);
+    CHECK(aerial_truths(reference, bench.atmosphere, {2.0 * km, 60.0}, {.paths = 128})->size() == 8);
+}
+
+TEST_CASE("a page of one eye has a column for each sun, and says no cost ahead of tables that were kept") {
+    const Bench bench;
+    const test::TemporaryFolder folder;
+    CompareSettings settings{.airs = {{"thin", bench.atmosphere}}, .models = {"tables", "kaneda1991"}, .against = Against::tables};
+    settings.conditions = {{0.0 * m, 40.0}, {0.0 * m, 80.0}};
+    settings.wavelengths = bench.grid;
+    settings.options.bake = {
+        .sizes = {.transmittance_mu = 64, .transmittance_altitude = 32, .sun = 16, .azimuth = 4, .view = 8, .altitude = 8}, .orders = 3};
+    settings.options.cache.folder = folder.path;
+    settings.kept_tables = true;
+    settings.picture_size = 0;
+    const Result<Comparison> comparison = compare(settings);
+    REQUIRE(comparison);
+    const std::string page = models_page(*comparison, "make models");
+    CHECK(page.find("| sun 40° | sun 80° |") != std::string::npos);
+    CHECK(page.find("## Model by model") == std::string::npos);
+    CHECK(!std::filesystem::is_empty(folder.path));
+    const std::size_t row = page.find("| `kaneda1991` |");
+    REQUIRE(row != std::string::npos);
+    CHECK(page.substr(row, page.find('\n', row) - row).find("| – |") != std::string::npos);
 }

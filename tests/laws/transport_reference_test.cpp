@@ -445,3 +445,40 @@ TEST_CASE("vectors and angles name the same query") {
                                                          Vec3(std::sin(0.4), 0.0, std::cos(0.4)), {.paths = 4096});
     CHECK(vectors.radiance_W_m2_sr_nm[0] == doctest::Approx(angles.radiance_W_m2_sr_nm[0]).epsilon(1e-6));
 }
+
+TEST_CASE("what the air before a point adds, and the light from the point as far as it comes through, are what is seen") {
+    const Reference reference = *Reference::of(earth(), one_wavelength);
+    const double bottom = 6.36e6, altitude = 5e3;
+    const Vec3 eye(0.0, 0.0, bottom + altitude);
+    for (const double sun_deg : {40.0, 88.0})
+        for (const double zenith_deg : {60.0, 91.5, 120.0}) {  // up, past the point nearest to the ground, and down to it
+            const double zenith = zenith_deg * deg;
+            const Vec3 direction(std::sin(zenith), 0.0, std::cos(zenith)), sun(std::sin(sun_deg * deg), 0.0, std::cos(sun_deg * deg));
+            const View view{altitude * m, zenith, sun_deg * deg, 0.0};
+            const RadianceEstimate whole = *reference.radiance(view, {.paths = 65536});
+            for (const double distance : {2e3, 9e3}) {
+                CAPTURE(sun_deg);
+                CAPTURE(zenith_deg);
+                CAPTURE(distance);
+                const RadianceEstimate near = *reference.inscattered(view, distance * m, {.paths = 65536, .seed = 2});
+                const RadianceEstimate far = *reference.radiance(eye + distance * direction, direction, sun, {.paths = 65536, .seed = 3});
+                const double seen = reference.transmittance(altitude * m, zenith, distance * m)[0];
+                const double error = std::hypot(whole.standard_error[0], near.standard_error[0], seen * far.standard_error[0]);
+                CHECK(std::abs(near.radiance_W_m2_sr_nm[0] + seen * far.radiance_W_m2_sr_nm[0] - whole.radiance_W_m2_sr_nm[0]) <
+                      4.0 * error);
+                CHECK(near.standard_error[0] < 0.02 * near.radiance_W_m2_sr_nm[0]);
+            }
+        }
+}
+
+TEST_CASE("beyond the air there is nothing to add: in-scattered light over the whole way is the radiance, to the bit") {
+    const Reference reference = *Reference::of(earth(), one_wavelength);
+    const View up{2.0 * km, 70.0 * deg, 50.0 * deg, 30.0 * deg};
+    CHECK(reference.inscattered(up, 1e9 * m, {.paths = 256})->radiance_W_m2_sr_nm ==
+          reference.radiance(up, {.paths = 256})->radiance_W_m2_sr_nm);
+    const View down{2.0 * km, 130.0 * deg, 50.0 * deg, 30.0 * deg};
+    CHECK(reference.inscattered(down, 1e9 * m, {.paths = 4096})->radiance_W_m2_sr_nm[0] <
+          reference.radiance(down, {.paths = 4096})->radiance_W_m2_sr_nm[0]);
+    CHECK(reference.inscattered({400.0 * km, 0.0, 0.0, 0.0}, 1.0 * km, {}).error().message().find("outside the air") != std::string::npos);
+    CHECK(!reference.inscattered(up, 0.0 * m, {}));
+}
