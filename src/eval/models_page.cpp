@@ -229,7 +229,10 @@ std::string order_explained(const AirRun& air) {
         range_text(errors_of(air, Orders::fitted)));
     const Summary once = air.single ? summary(air, *air.single, common_ground(air)) : Summary{};
     if (once.answered > 0) text += floor_explained(air, once.relative_rmse);
-    return text + "\n\n" + (altitudes_m(air).size() > 1 ? real_time(air) + "\n" : "");
+    text += "\n";
+    // With one eye the table says it all.
+    if (altitudes_m(air).size() > 1) text += fmt::format("\n{}\n", real_time(air));
+    return text;
 }
 
 std::string range_line(const ModelCard& card) {

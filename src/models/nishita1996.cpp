@@ -7,6 +7,8 @@
 //                space; transmittance and aerial perspective
 //   leaves out   gases that absorb (ozone); light out of the plane of sun and zenith is taken for that of the nearest of the eight
 //   parameters   variant: 2 (the second order, as in the paper's pictures), 1, 3 or 4
+//   range        any eye; the sun to 90 degrees from the zenith, and where a view from space enters the air: beyond, one direction
+//                towards the glow over the horizon stands for an eighth of the sphere (at 99 degrees ten times too bright)
 //   converted    any atmosphere, to two exponential constituents (two_constituents.h). The paper's voxels fill a box around the eye
 //                for one sun; on a round planet a column of them for each sun stands for all. In the first pass a direction has the
 //                mean of the phase functions over what it stands for: their value in the midst of the sun's peak, times an eighth
@@ -30,7 +32,9 @@ constexpr ModelCard card{.key = "nishita1996",
                          .precomputation = "0.3 s an order and pack of 16 wavelengths",
                          .memory = "2.6 MiB a pack",
                          .highest_eye = anywhere,
-                         .aerial_perspective = true};
+                         .highest_sun_zenith_deg = 90.0,
+                         .aerial_perspective = true,
+                         .refused = "views that enter the air where the sun is down"};
 
 class Nishita1996 : public ExponentialSky {
 public:
@@ -44,6 +48,14 @@ public:
     }
 
 private:
+    Result<Done> answerable(const View& view) const override {
+        const std::optional<f64::AirRay> ray = air_ray_of(pack(0), view);
+        constexpr double hair = 1e-9;
+        if (!ray || ray->mu_s > -hair) return Done{};
+        return Error{name(), "does not answer views that enter the air with the sun beyond 90 deg from the zenith",
+                     "`airlight models` shows the range of each model."};
+    }
+
     f64::ScatteredLight light(std::size_t i, const f64::AirRay& ray) const override { return spheres_[i].light(ray); }
     f64::PhaseSpectrum more_light(std::size_t i, const f64::AirRay& ray) const override { return voxels_[i].light(ray); }
     f64::PhaseSpectrum ground_light(std::size_t i, const f64::AirRay& ground) const override {

@@ -258,6 +258,15 @@ TEST_CASE("more of the sea's light is blue than of the ground's, and it mirrors 
     CHECK(f64::sea_reflectance(0.0).value == doctest::Approx(1.0));
 }
 
+TEST_CASE("nishita1996 answers by day: not in twilight, nor from space where it is night") {
+    const auto sky = sky_of("nishita1996", earth(1.0, 0.3));
+    CHECK(bool(sky->radiance({0.0 * m, 80.0 * deg, 90.0 * deg, 0.0})));
+    CHECK(!sky->radiance({0.0 * m, 80.0 * deg, 91.0 * deg, 0.0}));
+    CHECK(bool(sky->radiance({400.0 * km, 109.0 * deg, 60.0 * deg, 180.0 * deg})));
+    CHECK(!sky->radiance({400.0 * km, 109.0 * deg, 85.0 * deg, 180.0 * deg}));  // that air is 17 degrees further from the sun
+    CHECK(!sky->aerial_perspective({0.0 * m, 80.0 * deg, 91.0 * deg, 0.0}, 1.0 * km));
+}
+
 TEST_CASE("nishita1996 of one order is nishita1993; each further order adds light") {
     const auto once = sky_of("nishita1993", earth(1.0, 0.3)), one = sky_of("nishita1996", earth(1.0, 0.3), {.variant = "1"}),
                two = sky_of("nishita1996", earth(1.0, 0.3)), three = sky_of("nishita1996", earth(1.0, 0.3), {.variant = "3"});
