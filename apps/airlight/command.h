@@ -34,6 +34,7 @@ Command fit_command(CLI::App& airlight);
 Command mie_command(CLI::App& airlight);
 Command models_command(CLI::App& airlight);
 Command probe_command(CLI::App& airlight);
+Command render_command(CLI::App& airlight);
 Command sky_command(CLI::App& airlight);
 Command sun_command(CLI::App& airlight);
 

@@ -52,9 +52,10 @@ int main(int argc, char** argv) {
     app.failure_message(usage_message);
     app.require_subcommand(1);
     const std::vector<Command> commands = {
-        airlight::cli::atmosphere_command(app), airlight::cli::bake_command(app), airlight::cli::compare_command(app),
-        airlight::cli::fit_command(app),        airlight::cli::mie_command(app),  airlight::cli::models_command(app),
-        airlight::cli::probe_command(app),      airlight::cli::sky_command(app),  airlight::cli::sun_command(app),
+        airlight::cli::atmosphere_command(app), airlight::cli::bake_command(app),   airlight::cli::compare_command(app),
+        airlight::cli::fit_command(app),        airlight::cli::mie_command(app),    airlight::cli::models_command(app),
+        airlight::cli::probe_command(app),      airlight::cli::render_command(app), airlight::cli::sky_command(app),
+        airlight::cli::sun_command(app),
     };
     try {
         app.parse(argc, argv);

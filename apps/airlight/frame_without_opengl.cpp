@@ -1,0 +1,10 @@
+#include "frame_of_scene.h"
+
+namespace airlight::cli {
+
+Result<DrawnFrame> draw_scene(const Scene&, int, int) {
+    return Error{"airlight render", "this airlight was built without OpenGL.",
+                 "Build it with libepoxy-dev and libegl-dev, and -DAIRLIGHT_GPU=ON."};
+}
+
+}  // namespace airlight::cli

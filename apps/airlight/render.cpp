@@ -1,0 +1,125 @@
+// `airlight render`: a picture of a planet's ground from anywhere, without a window.
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "command.h"
+#include "core/files.h"
+#include "frame_of_scene.h"
+#include "image/exposure.h"
+#include "image/exr.h"
+#include "image/png.h"
+#include "image/tone.h"
+#include "spectrum/colour.h"
+#include "units/text.h"
+
+namespace airlight::cli {
+
+namespace {
+
+struct RenderOptions {
+    std::string scene;
+    std::vector<std::string> outputs;
+    int width = 1280;
+    int height = 720;
+    std::string exposure = "auto";
+    std::string tone = "filmic";
+};
+
+// Everything that can be wrong, found out before anything long begins.
+struct Wishes {
+    Scene scene;
+    ToneCurve tone;
+    std::optional<double> exposure;  // none: metered
+};
+
+Result<Done> check_output(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    if (extension != ".exr" && extension != ".png")
+        return Error{path, "is neither a .exr nor a .png file", "End the name in .exr (light) or .png (a picture for the screen)."};
+    return can_write(path);
+}
+
+Result<Wishes> wishes_of(const RenderOptions& given) {
+    const Result<Scene> scene = read_scene(given.scene);
+    if (!scene) return scene.error();
+    if (given.width < 1 || given.height < 1 || given.width > 16384 || given.height > 16384)
+        return Error{"--width, --height", fmt::format("{} x {} is out of range: each must be from 1 to 16384", given.width, given.height),
+                     ""};
+    const std::optional<ToneCurve> tone = tone_curve_named(given.tone);
+    if (!tone) return Error{"--tone", fmt::format("\"{}\" is none of: {}", given.tone, tone_curve_names), ""};
+    for (const std::string& path : given.outputs)
+        if (const Result<Done> possible = check_output(path); !possible) return possible.error();
+    Wishes wishes{*scene, *tone, std::nullopt};
+    if (given.exposure == "auto") return wishes;
+    const Result<double> ev = parse_number(given.exposure);
+    if (!ev)
+        return Error{"--exposure", fmt::format("\"{}\" is neither auto nor an exposure value at ISO 100", given.exposure),
+                     "Write auto, or a number such as 14."};
+    wishes.exposure = exposure_of_ev100(*ev);
+    return wishes;
+}
+
+double exposure_of(const Image& image, const Wishes& wishes) {
+    if (wishes.exposure) return *wishes.exposure;
+    const RgbConverter converter(RgbSpace::srgb, WhitePoint::d65);
+    std::vector<float> luminance;
+    for (int row = 0; row < image.height; ++row)
+        for (int column = 0; column < image.width; ++column) {
+            const std::span<const float> rgb = image.pixel(column, row);
+            luminance.push_back(static_cast<float>(std::max(0.0, converter.luminance({rgb[0], rgb[1], rgb[2]}))));
+        }
+    // A picture of the dark has nothing to meter: any exposure shows it black.
+    const Result<double> found = metered_exposure(luminance, {}, {.grey = 0.25});
+    return found ? *found : 1.0;
+}
+
+Result<Done> write(const std::string& path, const Image& image, const RenderOptions& given, const Wishes& wishes) {
+    if (std::filesystem::path(path).extension() == ".png")
+        return write_png(path, developed(image, exposure_of(image, wishes), wishes.tone));
+    ImageMeaning meaning = ImageMeaning::rgb(RgbSpace::srgb);
+    meaning.notes = {{"airlight:scene", given.scene}};
+    return write_exr(path, image, meaning, ExrPixels::float16);
+}
+
+Result<Done> run(const RenderOptions& given) {
+    const Result<Wishes> wishes = wishes_of(given);
+    if (!wishes) return wishes.error();
+    const Result<DrawnFrame> drawn = draw_scene(wishes->scene, given.width, given.height);
+    if (!drawn) return drawn.error();
+    for (const std::string& path : given.outputs)
+        if (const Result<Done> written = write(path, drawn->image, given, *wishes); !written) return written.error();
+    fmt::print("quantity,value,unit\n");
+    for (const auto& [quantity, value, unit] : drawn->figures) fmt::print("{},{},{}\n", quantity, value, unit);
+    for (const std::string& path : given.outputs) fmt::print("file,{},\n", path);
+    return Done{};
+}
+
+}  // namespace
+
+Command render_command(CLI::App& airlight) {
+    const auto given = std::make_shared<RenderOptions>();
+    CLI::App* render =
+        airlight.add_subcommand("render", "Draw a planet's ground in sunlight from anywhere, without a window (and, so far, without air).");
+    render->add_option("scene", given->scene, "a scene file: docs/scene-file.md")->required()->option_text("<scene.toml>");
+    render->add_option("-o,--output", given->outputs, "a .exr (light in cd m-2) or .png file; may be given several times")
+        ->option_text("<file>")
+        ->required();
+    render->add_option("--width", given->width, "of the picture, in pixels")->option_text("<n>")->capture_default_str();
+    render->add_option("--height", given->height, "of the picture, in pixels")->option_text("<n>")->capture_default_str();
+    render->add_option("--exposure", given->exposure, "of PNG files: auto, or an exposure value at ISO 100 (15: a sunny day)")
+        ->option_text("<auto|EV>")
+        ->capture_default_str();
+    render->add_option("--tone", given->tone, "of PNG files: linear, exponential, reinhard or filmic")
+        ->option_text("<curve>")
+        ->capture_default_str();
+    render->footer(
+        help_footer("CSV: quantity, value, unit: who draws, how long each pass takes, how many patches the ground has; last, the files.",
+                    "airlight render data/demo/mountains.toml --width 160 --height 90 -o mountains.png"));
+    return {render, [given] { return run(*given); }};
+}
+
+}  // namespace airlight::cli

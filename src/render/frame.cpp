@@ -1,0 +1,67 @@
+#include "render/frame.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace airlight::render {
+
+namespace {
+
+// Rows of the GPU go upward, those of an image downward.
+Image image_of(const gpu::Texture& radiance) {
+    const int width = radiance.size().width, height = radiance.size().height;
+    std::vector<float> texels(static_cast<std::size_t>(4 * width * height));
+    radiance.read(texels);
+    Image image(width, height, 3);
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column)
+            std::copy_n(&texels[static_cast<std::size_t>(4 * ((height - 1 - row) * width + column))], 3, image.pixel(column, row).begin());
+    return image;
+}
+
+}  // namespace
+
+Result<Frame> Frame::create(const gpu::Context& context, HeightField ground, const Camera& like) {
+    Result<TerrainPass> terrain = TerrainPass::create(std::move(ground), {.pixels_per_radian = pixels_per_radian(like)});
+    if (!terrain) return terrain.error();
+    Result<LightPass> light = LightPass::create();
+    if (!light) return light.error();
+    Result<GeometryBuffer> surfaces = GeometryBuffer::create(like.width, like.height);
+    if (!surfaces) return surfaces.error();
+    gpu::Texture radiance({like.width, like.height});
+    Result<gpu::Framebuffer> target = gpu::Framebuffer::create({&radiance});
+    if (!target) return target.error();
+    return Frame(context, std::move(*terrain), std::move(*light), std::move(*surfaces), std::move(radiance), std::move(*target));
+}
+
+Frame::Frame(const gpu::Context& context, TerrainPass terrain, LightPass light, GeometryBuffer surfaces, gpu::Texture radiance,
+             gpu::Framebuffer target)
+    : context_(&context),
+      terrain_(std::move(terrain)),
+      light_(std::move(light)),
+      surfaces_(std::move(surfaces)),
+      radiance_(std::move(radiance)),
+      target_(std::move(target)) {}
+
+Result<Image> Frame::draw(const Camera& camera, const Lights& lights) {
+    assert(camera.width == radiance_.size().width && camera.height == radiance_.size().height);
+    camera_.bind(camera);
+    {
+        const auto pass = timers_.time("terrain");
+        surfaces_.begin();
+        terrain_.draw(camera);
+        GeometryBuffer::end();
+    }
+    {
+        const auto pass = timers_.time("light");
+        target_.bind();
+        light_.draw(surfaces_, lights);
+    }
+    Image image = image_of(radiance_);
+    times_ = timers_.read();
+    if (const Result<Done> there = context_->check(); !there) return there.error();
+    return image;
+}
+
+}  // namespace airlight::render

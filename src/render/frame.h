@@ -1,0 +1,42 @@
+// A frame: its passes in their order, from a ground and a camera to an image.
+// Uses the passes of this module and image.
+#pragma once
+
+#include "gpu/context.h"
+#include "gpu/pass_timers.h"
+#include "image/image.h"
+#include "render/camera_block.h"
+#include "render/light_pass.h"
+#include "render/terrain_pass.h"
+
+namespace airlight::render {
+
+class Frame {
+public:
+    // For pictures of this size and field of view; `context` outlives it.
+    static Result<Frame> create(const gpu::Context& context, HeightField ground, const Camera& like);
+
+    // Red, green and blue of each pixel, in the unit of the lights a steradian; black where there is nothing. The camera has the size that
+    // the frame was made for. Fails if the GPU was reset.
+    Result<Image> draw(const Camera& camera, const Lights& lights);
+
+    // Of the last picture.
+    const std::vector<gpu::PassTime>& times() const { return times_; }
+    const TerrainCount& terrain() const { return terrain_.count(); }
+
+private:
+    Frame(const gpu::Context& context, TerrainPass terrain, LightPass light, GeometryBuffer surfaces, gpu::Texture radiance,
+          gpu::Framebuffer target);
+
+    const gpu::Context* context_;
+    CameraBlock camera_;
+    TerrainPass terrain_;
+    LightPass light_;
+    GeometryBuffer surfaces_;
+    gpu::Texture radiance_;
+    gpu::Framebuffer target_;
+    gpu::PassTimers timers_;
+    std::vector<gpu::PassTime> times_;
+};
+
+}  // namespace airlight::render
