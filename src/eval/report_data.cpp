@@ -78,12 +78,24 @@ std::string json_list(const Items& items, const Text& text) {
     return list.append("]");
 }
 
+// One entry a distance; null where it was not judged.
+std::string json_aerial(const std::optional<AerialVerdict>& verdict) {
+    if (!verdict) return "null";
+    std::size_t d = 0;
+    return json_list(verdict->at, [&](const AerialScore& s) {
+        return fmt::format(
+            R"({{"distance_m":{:g},"asked":{},"answered":{},"relative_rmse":{:.6g},"noise":{:.6g},"transmittance_rmse":{:.6g}}})",
+            aerial_distances_m[d++], s.asked, s.answered, s.light_rmse, s.noise, s.transmittance_rmse);
+    });
+}
+
 std::string json_model(const ModelRun& model) {
     return fmt::format(
-        R"({{"key":{},"refusal":{},"precomputation_core_s":{:.4g},"memory_bytes":{},"dome_s":{},"direction_s":{},"cells":{}}})",
+        R"({{"key":{},"refusal":{},"precomputation_core_s":{:.4g},"memory_bytes":{},"dome_s":{},"direction_s":{},"aerial_perspective":{},"cells":{}}})",
         quoted_json(model.card.key), quoted_json(model.refusal), model.making.core_seconds, model.making.bytes,
         model.asking ? fmt::format("{:.4g}", model.asking->dome_seconds) : "null",
-        model.asking ? fmt::format("{:.4g}", model.asking->direction_seconds) : "null", json_list(model.cells, [](const Cell& cell) {
+        model.asking ? fmt::format("{:.4g}", model.asking->direction_seconds) : "null", json_aerial(model.aerial),
+        json_list(model.cells, [](const Cell& cell) {
             return fmt::format(R"({{"sky":{},"ground":{},"refusal":{},"horizontal":{},"horizontal_refusal":{}}})",
                                json_score(cell.verdict.sky), json_score(cell.verdict.ground), quoted_json(cell.verdict.refusal),
                                json_light(cell.verdict.horizontal), quoted_json(cell.verdict.horizontal_refusal));

@@ -70,6 +70,30 @@ std::string summary_table(const AirRun& air, std::size_t index, bool kept_tables
     return html + "</tbody></table></div>\n";
 }
 
+// Models that answer any of it: light in per cent and transmittance for each distance.
+std::string aerial_table(const AirRun& air, std::size_t index) {
+    if (air.aerial.empty()) return "";
+    std::string html =
+        "<h3>Aerial perspective</h3><p class=\"note\">To points at three distances, by day, from within the air: what the air adds "
+        "(root-mean-square relative error in %, less the truth’s own variance) and what it lets through (root-mean-square difference).</p>"
+        "<div class=\"scroll\"><table class=\"sorts\"><thead><tr><th>model</th>";
+    for (const double distance : aerial_distances_m)
+        html += fmt::format("<th>{0:g} km<br>light, %</th><th>{0:g} km<br>transmittance</th>", distance / 1000.0);
+    html += "</tr></thead><tbody>\n";
+    for (const std::size_t m : nearest_first(air)) {
+        const ModelRun& model = air.models[m];
+        if (!model.aerial || std::none_of(model.aerial->at.begin(), model.aerial->at.end(), [](const auto& s) { return s.answered > 0; }))
+            continue;
+        html += fmt::format("<tr><th scope=\"row\" data-v=\"{0}\"><a href=\"#{1}\">{0}</a></th>", model.card.key, anchor_of(index, model));
+        for (const AerialScore& s : model.aerial->at)
+            html += s.answered == 0 ? no_cell() + no_cell()
+                                    : number_cell(s.light_rmse, percent_text(s.light_rmse) + (s.answered < s.asked ? "*" : "")) +
+                                          number_cell(s.transmittance_rmse, fmt::format("{:.4f}", s.transmittance_rmse));
+        html += "</tr>\n";
+    }
+    return html + "</tbody></table></div>\n";
+}
+
 // A number of the heat table on its colour: white at 1 %, full at 100 %.
 std::string heat_cell(const Score& score, const std::string& title) {
     const double share = std::clamp(0.5 * std::log10(std::max(1e-4, score.relative_rmse) / 0.01), 0.0, 1.0);
@@ -222,7 +246,7 @@ std::string report_html(const Comparison& comparison) {
         const AirRun& air = comparison.airs[i];
         html += fmt::format("<section><h2>{}</h2>\n<h3>In short</h3>\n{}<h3>By condition, %</h3>\n{}", html_text(air.air.name),
                             summary_table(air, i, comparison.kept_tables), heat_table(air, i));
-        html += pictures(air) + "<h3>Model by model</h3>\n";
+        html += aerial_table(air, i) + pictures(air) + "<h3>Model by model</h3>\n";
         for (const ModelRun& model : air.models) html += model_details(air, i, model, comparison.against == Against::measured);
         html += "</section>\n";
     }

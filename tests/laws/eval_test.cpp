@@ -378,3 +378,25 @@ TEST_CASE("a page of one eye has a column for each sun, and says no cost ahead o
     REQUIRE(row != std::string::npos);
     CHECK(page.substr(row, page.find('\n', row) - row).find("| – |") != std::string::npos);
 }
+
+TEST_CASE("aerial perspective stands on the page of models, in the report and in the JSON") {
+    const Bench bench;
+    const test::TemporaryFolder folder;
+    CompareSettings settings{.airs = {{"thin", bench.atmosphere}}, .models = {"kaneda1991", "perez1993"}};
+    settings.conditions = {{0.0 * m, 40.0}};
+    settings.wavelengths = bench.grid;
+    settings.paths = 128;
+    settings.truth_folder = folder.path;
+    settings.picture_size = 0;
+    settings.aerial_perspective = true;
+    const Result<Comparison> comparison = compare(settings);
+    REQUIRE(comparison);
+    const std::string page = models_page(*comparison, "make models"), html = report_html(*comparison), json = report_json(*comparison);
+    CHECK(page.find("| aerial perspective | to 2 km | to 10 km | to 50 km |") != std::string::npos);
+    CHECK(html.find("<h3>Aerial perspective</h3>") != std::string::npos);
+    CHECK(json.find("\"aerial_perspective\":[{\"distance_m\":2000,\"asked\":2,\"answered\":2,") != std::string::npos);
+    // perez1993 has none, and says so by its absence from the table.
+    const std::size_t table = page.find("| aerial perspective |");
+    CHECK(page.find("`kaneda1991`", table) != std::string::npos);
+    CHECK(page.find("`perez1993`", table) == page.find("### perez1993", table));
+}
