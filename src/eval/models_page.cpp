@@ -317,7 +317,9 @@ std::string head(const Comparison& comparison, const std::string& command) {
         "there are others, or directions that it refuses, – that it answers none. By day is the lowest eye with the sun up to {:g}°, which "
         "nearly every model answers: by "
         "it they are in order, and of it are noise, "
-        "luminance (relative, %), chromaticity (u′v′) and CIEDE2000.\n\n",
+        "luminance (relative, %), chromaticity (u′v′) and CIEDE2000. Models of exponential air are hundreds of per cent off in twilight "
+        "and "
+        "above haze that ends at an altitude, for they cannot express it: docs/accuracy.md shows the same models in air that they can.\n\n",
         command, truth_text(comparison), comparison.paths, comparison.wavelengths.size(), comparison.wavelengths.first().in(nm),
         comparison.wavelengths.last().in(nm), eyes, suns, end_of_day_deg);
 }
