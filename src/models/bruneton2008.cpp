@@ -3,7 +3,8 @@
 //   computes     single scattering of each constituent apart from its phase function, and all higher orders, in tables of four
 //                dimensions, with the paper's maps (of rays to the top of the air, the later ones [Bruneton2017]); light of the
 //                ground by the sun and by the sky; aerial perspective by two look-ups, L(x) - T L(x0)
-//   leaves out   shadows of terrain; twilight below 11.5 degrees, where its tables end; polarisation
+//   leaves out   shadows of terrain; twilight below 11.5 degrees, where its tables end; polarisation; edges of haze, which
+//                an eye beside them sees smeared over the texels above and below (at 2 km, where that of earth-clear ends, 11 %)
 //   differs      The tables are filled in one pass from the table of the source of all orders (docs/theory.md, section 5), along
 //                nodes that follow the density: equal steps, as in the program that was published, give up to 8 % too much
 //                aerosol. They keep each wavelength, and each constituent that scatters, rather than RGB and one aerosol. The
