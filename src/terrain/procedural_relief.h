@@ -21,11 +21,11 @@ struct Octaves {
 struct ProceduralRelief {
     double radius_m = 6'360'000.0;
     Octaves continents = {4'000'000.0, 3500.0, 1.0, 150'000.0, 1};
-    Octaves mountains = {100'000.0, 3000.0, 0.9, 0.5, 2};
+    Octaves mountains = {120'000.0, 4500.0, 0.85, 0.5, 2};
     // Mountains stand at their full amplitude where the continents are higher than this; at this share of it at the sea and below.
-    double full_at_m = 1200.0;
-    double least_share = 0.12;
-    double mean_m = -300.0;
+    double full_at_m = 1500.0;
+    double least_share = 0.05;
+    double mean_m = -200.0;
     bool sea = true;
 };
 

@@ -13,11 +13,11 @@ struct RasterRelief {
     double radius_m = 6'371'000.0;
     bool sea = true;
     // Detail begins at features as wide as two pixels; its amplitude there is this share of their width at detail_full_at_m and above.
-    double detail_share = 0.03;
-    double detail_smoothness = 0.9;
+    double detail_share = 0.07;
+    double detail_smoothness = 0.85;
     double detail_narrowest_m = 0.5;
-    double detail_full_at_m = 2500.0;
-    double detail_least = 0.08;    // of plains and of the sea floor
+    double detail_full_at_m = 2000.0;
+    double detail_least = 0.04;    // of plains and of the sea floor
     double detail_shore_m = 60.0;  // below this height above the sea, or depth, detail fades out: shores are the raster's
     std::uint32_t seed = 5;
 };

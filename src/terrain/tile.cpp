@@ -50,8 +50,9 @@ Vec3 ground_colour(Vec3 direction, double height_m, Vec3 normal) {
     if (height_m < 0.0) return sea;
     const double latitude = std::asin(std::clamp(direction.z, -1.0, 1.0)), flatness = glm::dot(direction, normal);
     const double dry = step(12.0 * deg, 22.0 * deg, std::abs(latitude)) * (1.0 - step(28.0 * deg, 38.0 * deg, std::abs(latitude)));
-    const double snow_line_m = 5200.0 * (1.0 - step(10.0 * deg, 72.0 * deg, std::abs(latitude)));
-    Vec3 ground = glm::mix(grass, steppe, std::max(0.85 * dry, step(500.0, 2500.0, height_m)));
+    // Near 5600 m at the equator, 3300 m in the Alps, at the sea beyond 72 degrees.
+    const double share_of_72 = std::min(1.0, std::abs(latitude) / (72.0 * deg)), snow_line_m = 5600.0 * (1.0 - share_of_72 * share_of_72);
+    Vec3 ground = glm::mix(grass, steppe, std::max(0.85 * dry, step(1200.0, 3500.0, height_m)));
     ground = glm::mix(sand, ground, step(2.0, 30.0, height_m));
     ground = glm::mix(rock, ground, step(0.90, 0.97, flatness));
     return glm::mix(ground, snow, step(snow_line_m - 400.0, snow_line_m + 400.0, height_m) * step(0.80, 0.90, flatness));
