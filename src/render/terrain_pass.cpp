@@ -12,6 +12,8 @@ namespace {
 struct Place {
     std::uint32_t slot;
     std::int32_t level, towards_x, towards_y;
+    float span_m;  // no triangle's corners are farther apart
+    float unused;
 };
 using Reaches = std::array<float, 28>;
 static_assert(deepest_level < 28);
@@ -22,9 +24,17 @@ Reaches reaches_of(const LevelReach& reach) {
     return all;
 }
 
-Place place_of(const Node& node, std::size_t slot) {
+// Gliding makes a triangle up to two squares wide each way: 2 sqrt(2), and what the cube's map and slopes add.
+constexpr double squares_of_span = 3.5;
+
+Place place_of(const Node& node, std::size_t slot, double radius_m) {
     const GlideDirection towards = glide_direction(node);
-    return {static_cast<std::uint32_t>(slot), node.level, towards.x, towards.y};
+    return {static_cast<std::uint32_t>(slot),
+            node.level,
+            towards.x,
+            towards.y,
+            static_cast<float>(squares_of_span * spacing_m(node.level, radius_m)),
+            {}};
 }
 
 }  // namespace
@@ -74,7 +84,7 @@ void TerrainPass::draw_batch(std::span<const Node> nodes) {
     for (const std::shared_ptr<const Tile>& tile : store_->get(missing))
         tiles_.write(std::as_bytes(std::span(tile->vertices)), slot_of(tile->node) * tile_bytes);
     std::vector<Place> places;
-    for (const Node& node : nodes) places.push_back(place_of(node, slot_by_node_.at(node)));
+    for (const Node& node : nodes) places.push_back(place_of(node, slot_by_node_.at(node), tree_.field().radius_m));
     places_.write(std::as_bytes(std::span(places)));
     triangles_.draw_indexed(static_cast<int>(3 * patch_triangles().size()), static_cast<int>(nodes.size()));
 }

@@ -117,7 +117,7 @@ TEST_CASE("a flight from 20 000 km to 2 m has no crack, nothing that is not a nu
     const render::TerrainMemory memory{.tiles_bytes = 8 << 20, .gpu_tiles = 300};
     Scene scene(width, height, field, memory);
     const Vec3 sun = glm::normalize(direction_of(20.0 * deg, -20.0 * deg));
-    std::size_t most_patches = 0, must_be_ground = 0;
+    std::size_t most_patches = 0, must_be_ground = 0, ground_pixels = 0, slivers = 0;
     for (int n = 0; n < frames; ++n) {
         Camera camera = camera_at(field, altitude_of(n, frames));
         camera.width = width, camera.height = height;
@@ -139,8 +139,15 @@ TEST_CASE("a flight from 20 000 km to 2 m has no crack, nothing that is not a nu
                 for (int c = 0; c < 4; ++c) strange += !std::isfinite(frame.light[4 * pixel + static_cast<std::size_t>(c)]);
                 if (covered(column, row)) {
                     const double distance = render::near_m / static_cast<double>(frame.depth[pixel]) / glm::dot(way, camera.forward);
-                    const double r = glm::length(camera.eye + distance * way), rounding = 1e-6 * distance;
-                    misplaced += !(r > solid - rounding && r < top + rounding);
+                    const auto placed = [&](double at_m) {
+                        const double r = glm::length(camera.eye + at_m * way), rounding = 1e-6 * at_m;
+                        return r > solid - rounding && r < top + rounding;
+                    };
+                    ++ground_pixels;
+                    slivers += !placed(distance);
+                    // By a twentieth of the distance, the size of a triangle.
+                    misplaced += !placed(distance) && !placed(0.95 * distance) && !placed(1.05 * distance) && !placed(0.98 * distance) &&
+                                 !placed(1.02 * distance);
                 } else if (row > 0 && row + 1 < height && column > 0 && column + 1 < width) {
                     cracks += covered(column - 1, row) && covered(column + 1, row) && covered(column, row - 1) && covered(column, row + 1);
                 }
@@ -154,6 +161,9 @@ TEST_CASE("a flight from 20 000 km to 2 m has no crack, nothing that is not a nu
         most_patches = std::max(most_patches, scene.terrain().count().patches);
         if (n % (frames / 15) == 0) keep_picture(frame, width, height, fmt::format("flight-{:03}", n));
     }
+    // Triangles seen edge-on at a limb are narrower than the rasterizer's steps: their depth is known to their own size only.
+    CHECK(static_cast<double>(slivers) <= 2.0 + 1e-6 * static_cast<double>(ground_pixels));
+    fmt::print("  {} of {} pixels beside the ground, by less than a triangle\n", slivers, ground_pixels);
     fmt::print("  {} frames, at most {} patches; {} pixels had to be ground\n", frames, most_patches, must_be_ground);
     CHECK(most_patches <= 800);  // more than the GPU holds at once: then they are drawn in batches
     CHECK(must_be_ground > static_cast<std::size_t>(frames * width * height / 4));

@@ -20,9 +20,9 @@ const float mirror_of_water = 0.02;  // reflectance of still water at right angl
 // The sun in water whose waves tilt as a Gaussian of their slope does, with a mean square of roughness^2 / 2 [CoxMunk1954].
 float glint(vec3 n, vec3 view, float roughness) {
     vec3 between = normalize(towards_sun.xyz + view);
-    float c = max(dot(n, between), 1e-4), m = roughness * roughness;
+    float c = clamp(dot(n, between), 1e-2, 1.0), m = roughness * roughness;
     float slopes = exp((1.0 - 1.0 / (c * c)) / m) / (pi * m * c * c * c * c);
-    float fresnel = mirror_of_water + (1.0 - mirror_of_water) * pow(1.0 - max(dot(view, between), 0.0), 5.0);
+    float fresnel = mirror_of_water + (1.0 - mirror_of_water) * pow(1.0 - clamp(dot(view, between), 0.0, 1.0), 5.0);
     return fresnel * slopes / (4.0 * max(dot(n, view), 0.05));
 }
 

@@ -12,6 +12,7 @@ struct Place {
     uint slot;   // of the tile
     int level;
     ivec2 towards;  // whither vertices glide along each axis: 1 or -1
+    float span_m;   // no triangle's corners are farther apart
 };
 layout(std430, binding = 0) readonly buffer Tiles { uint tile_words[]; };
 layout(std430, binding = 1) readonly buffer Places { Place places[]; };
@@ -20,6 +21,7 @@ layout(std140, binding = 1) uniform Reach { vec4 reach_m[7]; };
 layout(location = 0) out vec3 normal;
 layout(location = 1) out vec3 root_of_reflectance;
 layout(location = 2) out float height_m;
+layout(location = 3) flat out vec2 depth_limits;  // of the triangle
 
 struct Vertex {
     vec3 place;  // relative to the eye
@@ -67,4 +69,6 @@ void main() {
         at += p.towards * (at & ivec2(1 << step));
     }
     gl_Position = clip_position(place);
+    float z = gl_Position.w;
+    depth_limits = camera_lens.z / max(vec2(z + p.span_m, z - p.span_m), vec2(camera_lens.z));
 }
