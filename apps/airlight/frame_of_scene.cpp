@@ -32,11 +32,13 @@ DrawnFrame drawn_with_figures(Image image, const gpu::Context& context, const re
 Result<DrawnFrame> draw_scene(const Scene& scene, int width, int height) {
     const Result<HeightField> ground = ground_of(scene);
     if (!ground) return ground.error();
+    const Result<GroundColour> colour = colour_of(scene);
+    if (!colour) return colour.error();
     const Result<Camera> camera = camera_of(scene, *ground, width, height);
     if (!camera) return camera.error();
     const Result<gpu::Context> context = gpu::Context::create();
     if (!context) return context.error();
-    Result<render::Frame> frame = render::Frame::create(*context, *ground, *camera);
+    Result<render::Frame> frame = render::Frame::create(*context, *ground, *colour, *camera);
     if (!frame) return frame.error();
     Result<Image> image = frame->draw(*camera, lights_of(scene));
     if (!image) return image.error();

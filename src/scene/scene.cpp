@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "terrain/raster_relief.h"
+#include "terrain/surface_image.h"
 
 namespace airlight {
 
@@ -18,6 +19,11 @@ Result<HeightField> ground_of(const Scene& scene) {
     Result<std::shared_ptr<const Raster>> raster = Raster::open(*g.elevation);
     if (!raster) return raster.error();
     return raster_height(*raster, {.radius_m = g.radius_m, .sea = g.sea, .seed = g.seed}, level_height(g.radius_m));
+}
+
+Result<GroundColour> colour_of(const Scene& scene) {
+    if (scene.ground.surface) return surface_image(*scene.ground.surface);
+    return GroundColour(ground_colour);
 }
 
 Result<Camera> camera_of(const Scene& scene, const HeightField& ground, int width, int height) {

@@ -8,12 +8,13 @@
 
 #include "camera/camera.h"
 #include "core/result.h"
-#include "terrain/height_field.h"
+#include "terrain/tile.h"
 
 namespace airlight {
 
 struct GroundScene {
     std::optional<std::filesystem::path> elevation;  // a raster; else octaves of noise
+    std::optional<std::filesystem::path> surface;    // an image of the planet; else colours by height, slope and latitude
     double radius_m = 6'371'000.0;
     bool sea = true;  // what lies below 0 m is under water
     std::uint32_t seed = 1;
@@ -45,6 +46,9 @@ Result<Scene> read_scene(const std::filesystem::path& path);
 
 // Fails as Raster::open() does.
 Result<HeightField> ground_of(const Scene& scene);
+
+// Fails as surface_image() does.
+Result<GroundColour> colour_of(const Scene& scene);
 
 // Fails if the camera would be in the ground.
 Result<Camera> camera_of(const Scene& scene, const HeightField& ground, int width, int height);

@@ -30,6 +30,7 @@ void read_ground(TomlInput& file, Scene& scene, const std::filesystem::path& fol
     auto ground = file.table("ground");
     if (!ground) return;
     if (const auto path = ground->text("elevation")) scene.ground.elevation = folder / *path;
+    if (const auto path = ground->text("surface")) scene.ground.surface = folder / *path;
     keep_within(*ground, "radius", metres(ground->length("radius")), 1e5, 1e8, "from 100 km to 100000 km", scene.ground.radius_m);
     if (const auto sea = ground->truth("sea")) scene.ground.sea = *sea;
     double seed = 1.0;

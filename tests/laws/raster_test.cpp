@@ -14,6 +14,7 @@
 
 #include "core/files.h"
 #include "terrain/raster_relief.h"
+#include "terrain/surface_image.h"
 #include "terrain/tile_store.h"
 #include "tools/temporary_folder.h"
 
@@ -253,6 +254,33 @@ TEST_CASE("tiles are kept within their bound, built ahead in the background, and
     }
     store.get(nodes);
     CHECK(store.built() == 8 + 40 + 8);
+}
+
+TEST_CASE("an image of the planet colours the ground where its pixels lie, linearly and round the date line; a wrong one is told") {
+    const TemporaryFolder folder;
+    // Levels of sRGB: red grows eastward, 16 pixels round.
+    const auto path = write_raster(
+        folder, {.columns = 16, .rows = 8, .placed = false, .epsg = 0}, [](int x, int y) { return 10.0 * x + y; }, "surface.tif");
+    const Result<GroundColour> colour = surface_image(path);
+    if (!colour) FAIL(colour.error().message());
+    const auto at = [&](double row, double column) {
+        const double latitude = 90.0 - (row + 0.5) * 22.5, longitude = -180.0 + (column + 0.5) * 22.5;
+        const double a = latitude * deg, o = longitude * deg;
+        return (*colour)({std::cos(a) * std::cos(o), std::cos(a) * std::sin(o), std::sin(a)}, 0.0, {});
+    };
+    const auto linear = [](double level) { return std::pow((level / 255.0 + 0.055) / 1.055, 2.4); };
+    CHECK(at(3, 12).x == doctest::Approx(linear(123)).epsilon(1e-5));
+    CHECK(at(5, 9).z == doctest::Approx(linear(95)).epsilon(1e-5));
+    CHECK(at(3, 12.5).y == doctest::Approx(0.5 * (linear(123) + linear(133))).epsilon(1e-5));
+    CHECK(at(3, 15.5).y == doctest::Approx(0.5 * (linear(153) + 3.0 / 255.0 / 12.92)).epsilon(1e-5));
+    const auto fails = [](const std::filesystem::path& file) {
+        const Result<GroundColour> made = surface_image(file);
+        REQUIRE(!made);
+        return made.error().message();
+    };
+    CHECK(says(fails(folder.path / "none.png"), "none.png: there is no such file"));
+    CHECK(says(fails(write_raster(folder, {.columns = 9, .rows = 8}, bumps, "square.tif")),
+               "9 x 8 pixels: an image of the whole planet is twice as wide as high"));
 }
 
 TEST_CASE("the whole Earth's elevation stands where it should") {
