@@ -22,7 +22,7 @@ Image image_of(const gpu::Texture& radiance) {
 
 }  // namespace
 
-Result<Frame> Frame::create(const gpu::Context& context, HeightField ground, GroundColour colour, const Camera& like) {
+Result<Frame> Frame::create(const gpu::Context& context, const HeightField& ground, GroundColour colour, const Camera& like) {
     Result<TerrainPass> terrain = TerrainPass::create(
         std::move(ground), {.pixels_per_radian = pixels_per_radian(like), .pixels_of_square = 5.0}, {}, std::move(colour));
     if (!terrain) return terrain.error();

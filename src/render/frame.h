@@ -14,7 +14,7 @@ namespace airlight::render {
 class Frame {
 public:
     // For pictures of this size and field of view; `context` outlives it.
-    static Result<Frame> create(const gpu::Context& context, HeightField ground, GroundColour colour, const Camera& like);
+    static Result<Frame> create(const gpu::Context& context, const HeightField& ground, GroundColour colour, const Camera& like);
 
     // Red, green and blue of each pixel, in the unit of the lights a steradian; black where there is nothing. The camera has the size that
     // the frame was made for. Fails if the GPU was reset.

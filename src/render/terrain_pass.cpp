@@ -39,14 +39,14 @@ Place place_of(const Node& node, std::size_t slot, double radius_m) {
 
 }  // namespace
 
-Result<TerrainPass> TerrainPass::create(HeightField field, DetailSettings detail, TerrainMemory memory, GroundColour colour) {
+Result<TerrainPass> TerrainPass::create(const HeightField& field, DetailSettings detail, TerrainMemory memory, GroundColour colour) {
     Result<gpu::Program> made = program("terrain.vert", "terrain.frag");
     if (!made) return made.error();
     const LevelReach reach = level_reach(field, detail);
-    return TerrainPass(std::move(field), reach, memory, std::move(colour), std::move(*made));
+    return TerrainPass(field, reach, memory, std::move(colour), std::move(*made));
 }
 
-TerrainPass::TerrainPass(HeightField field, LevelReach reach, TerrainMemory memory, GroundColour colour, gpu::Program made)
+TerrainPass::TerrainPass(const HeightField& field, const LevelReach& reach, TerrainMemory memory, GroundColour colour, gpu::Program made)
     : tree_(field, reach),
       store_(std::make_unique<TileStore>(field, memory.tiles_bytes, std::move(colour))),
       program_(std::move(made)),

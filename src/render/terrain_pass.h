@@ -24,7 +24,7 @@ struct TerrainCount {
 
 class TerrainPass {
 public:
-    static Result<TerrainPass> create(HeightField field, DetailSettings detail, TerrainMemory memory = {},
+    static Result<TerrainPass> create(const HeightField& field, DetailSettings detail, TerrainMemory memory = {},
                                       GroundColour colour = ground_colour);
 
     // Draws what the camera sees, as finely as `detail` asks; tiles that are missing are built first. A geometry buffer has begun,
@@ -41,7 +41,7 @@ private:
         Node node;
         std::size_t used = 0;  // in which batch; 0 never
     };
-    TerrainPass(HeightField field, LevelReach reach, TerrainMemory memory, GroundColour colour, gpu::Program program);
+    TerrainPass(const HeightField& field, const LevelReach& reach, TerrainMemory memory, GroundColour colour, gpu::Program program);
     void draw_batch(std::span<const Node> nodes);
     std::size_t slot_of(const Node& node);
 

@@ -170,7 +170,7 @@ std::vector<bool> Raster::Content::cell_columns(Interval longitudes) const {
 }
 
 std::shared_ptr<Raster::Content::Block> Raster::Content::block(int bx, int by) const {
-    const auto index = static_cast<std::size_t>(by * across + bx);
+    const auto index = static_cast<std::size_t>(by) * static_cast<std::size_t>(across) + static_cast<std::size_t>(bx);
     {
         const std::shared_lock lock(mutex);
         if (const std::shared_ptr<Block>& found = blocks[index]) {
@@ -188,7 +188,7 @@ std::shared_ptr<Raster::Content::Block> Raster::Content::load(std::size_t index,
         read(column, row, std::min(block_side, grid.columns - column), std::min(block_side, grid.rows - row), block_side);
     const std::unique_lock lock(mutex);
     if (!heights && !failure) failure = heights.error();
-    made->heights_m = heights ? std::move(*heights) : std::vector<float>(block_side * block_side, 0.0f);
+    made->heights_m = heights ? std::move(*heights) : std::vector<float>(std::size_t{block_side} * block_side, 0.0f);
     made->used = ++clock;
     if (blocks[index]) return blocks[index];  // another thread was first
     if (present.size() >= most_blocks) {
@@ -284,7 +284,8 @@ Interval Raster::range(Interval latitudes, Interval longitudes) const {
         for (int y = cell_row(latitudes.high, -2); y <= cell_row(latitudes.low, 2); ++y)
             for (int x = 0; x < c.cells_across; ++x) {
                 if (!wanted[static_cast<std::size_t>(x)]) continue;
-                const Interval& cell = c.cells[static_cast<std::size_t>(y * c.cells_across + x)];
+                const Interval& cell =
+                    c.cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(c.cells_across) + static_cast<std::size_t>(x)];
                 extremes = {std::min(extremes.low, cell.low), std::max(extremes.high, cell.high)};
             }
     }

@@ -10,7 +10,7 @@ TileStore::TileStore(HeightField field, std::size_t most_bytes, GroundColour col
     : field_(std::move(field)),
       colour_(std::move(colour)),
       most_tiles_(most_bytes / tile_bytes),
-      worker_([this](std::stop_token stop) { build_ahead(std::move(stop)); }) {}
+      worker_([this](const std::stop_token& stop) { build_ahead(stop); }) {}
 
 TileStore::~TileStore() = default;
 
@@ -68,7 +68,7 @@ std::size_t TileStore::built() const {
     return built_;
 }
 
-void TileStore::build_ahead(std::stop_token stop) {
+void TileStore::build_ahead(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     while (asked_.wait(lock, stop, [this] { return !ahead_.empty(); })) {
         const Node node = ahead_.front();

@@ -39,7 +39,7 @@ private:
     std::shared_ptr<const Tile> find(const Node& node);
     void keep(std::shared_ptr<const Tile> tile);
     void shed();
-    void build_ahead(std::stop_token stop);
+    void build_ahead(const std::stop_token& stop);
 
     HeightField field_;
     GroundColour colour_;

@@ -197,7 +197,7 @@ TEST_CASE("a ground of a raster: its slope is the difference quotient of its hei
     for (int n = 0; n < 200; ++n) {
         const Vec3 d = random_direction(random), e = glm::normalize(glm::cross(d, random_direction(random)));
         const HeightSample s = field.sample(d, width_m);
-        const auto height = [&](double m) { return field.sample(glm::normalize(d + e * (m / field.radius_m)), width_m).height_m; };
+        const auto height = [&](double way) { return field.sample(glm::normalize(d + e * (way / field.radius_m)), width_m).height_m; };
         // Features of 500 m: (2 pi / 500)^2 / 6 of a slope of about 1.
         CHECK(std::abs((height(step_m) - height(-step_m)) / (2.0 * step_m) - glm::dot(s.slope, e)) < 1e-4);
         CHECK(glm::length(field.sample(d, 5000.0).coarse_slope - field.sample(d, 10'000.0).slope) < 1e-12);

@@ -107,7 +107,7 @@ TEST_CASE("relief: its slope is the difference quotient of its height, in every 
         const double turn = std::uniform_real_distribution<double>(0.0, 2.0 * pi)(random);
         const Vec3 along = std::cos(turn) * e + std::sin(turn) * f;
         const HeightSample s = field.sample(d, narrow);
-        const auto height = [&](double m) { return field.sample(glm::normalize(d + along * (m / field.radius_m)), narrow).height_m; };
+        const auto height = [&](double way) { return field.sample(glm::normalize(d + along * (way / field.radius_m)), narrow).height_m; };
         CHECK(glm::dot(s.slope, d) == doctest::Approx(0.0).epsilon(1e-9));
         // (2 pi step / 50 m)^2 / 6 of the narrowest features' slope, and heights' rounding of 1e-11 m through directions of 1e-16.
         CHECK(std::abs((height(step_m) - height(-step_m)) / (2.0 * step_m) - glm::dot(s.slope, along)) < 2e-5);

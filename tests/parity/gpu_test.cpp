@@ -74,7 +74,9 @@ TEST_CASE("a texture of every format reads back as it was written, within its ro
     const std::pair<F, float> formats[] = {{F::rgba32f, 0.0f},        {F::rgba16f, 0x1p-11f},  {F::rgba8, 0.5f / 255.0f},
                                            {F::srgb8, 1.0f / 255.0f}, {F::rg8, 0.5f / 255.0f}, {F::rg16, 0.5f / 65535.0f},
                                            {F::r32f, 0.0f},           {F::depth32f, 0.0f},     {F::depth24, 0x1p-24f}};
-    for (const auto& [format, rounding] : formats) {
+    for (const auto& f : formats) {
+        const F format = f.first;
+        const float rounding = f.second;
         CAPTURE(static_cast<int>(format));
         std::vector<float> written;
         for (int i = 0; i < 6 * gpu::channels(format); ++i) written.push_back(static_cast<float>(i) / 24.0f);

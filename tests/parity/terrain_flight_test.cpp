@@ -28,14 +28,14 @@ struct Frame {
 // All that draws one size of picture.
 class Scene {
 public:
-    Scene(int width, int height, HeightField field, render::TerrainMemory memory = {})
+    Scene(int width, int height, const HeightField& field, render::TerrainMemory memory = {})
         : width_(width),
           height_(height),
           light_texture_({width, height}),
           surfaces_(must(render::GeometryBuffer::create(width, height))),
           target_(must(gpu::Framebuffer::create({&light_texture_}))),
           light_(must(render::LightPass::create())),
-          terrain_(must(render::TerrainPass::create(std::move(field), detail(height), memory))) {}
+          terrain_(must(render::TerrainPass::create(field, detail(height), memory))) {}
 
     Frame draw(Camera camera, Vec3 towards_sun, Culling culling = {}) {
         camera.width = width_, camera.height = height_;
