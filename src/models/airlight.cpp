@@ -61,10 +61,10 @@ std::optional<f32::AirlightRay> text_ray_of(const Shell& shell, const View& view
 class AirlightSky : public PublishedSky {
 public:
     AirlightSky(const Atmosphere& atmosphere, std::vector<Wavelength> wavelengths, const Tables& tables)
-        : PublishedSky(card, atmosphere, std::move(wavelengths)), rule_(airlight_rule(ray_nodes)) {
+        : PublishedSky(card, atmosphere, std::move(wavelengths)) {
         for (const Tables::Pack& pack : tables.packs()) {
             const auto jumps = pack.air.densities.jumps_m();
-            packs_.push_back({airlight_tables(pack), pack.air.shell, {jumps.begin(), jumps.end()}});
+            packs_.push_back({airlight_tables(pack, ray_nodes), pack.air.shell, {jumps.begin(), jumps.end()}});
             phases_.push_back(std::make_shared<const PackPhases>(pack.optics));
         }
     }
@@ -80,13 +80,12 @@ private:
         for (std::size_t p = 0; p < packs_.size(); ++p) {
             f32::RadianceSpectrum seen(f32::RadianceSpectrum::Scalar::of(0.0f));
             if (const auto ray = text_ray_of(packs_[p].shell, view))
-                seen = phases_[p]->radiance(packs_[p].tables.light(rule_, *ray), view_sun_cosine(view));
+                seen = phases_[p]->radiance(packs_[p].tables.light(*ray), view_sun_cosine(view));
             radiance.insert(radiance.end(), seen.v, seen.v + phases_[p]->wavelength_count());
         }
         return radiance;
     }
 
-    f32::AirlightRule rule_;
     std::vector<Pack> packs_;
     PhasesOfPacks phases_;
 };
@@ -110,7 +109,7 @@ Result<AerialPerspective> AirlightSky::aerial_perspective(const View& view, Leng
             const f32::Length bottom = pack.tables.air.bottom;
             if (f32::meets_ground(ray->h, ray->mu, bottom))
                 ray->limit = min(ray->limit, 0.9999999 * f32::distance_to_ground(ray->h, ray->mu, bottom));
-            const f32::AirlightLight light = pack.tables.light(rule_, *ray);
+            const f32::AirlightLight light = pack.tables.light(*ray);
             transmittance = light.transmittance;
             inscattered = phases_[p]->radiance(light, view_sun_cosine(view));
         }
@@ -134,13 +133,17 @@ Result<IrradianceEstimate> AirlightSky::irradiance(Length altitude, double sun_z
 
 Result<std::unique_ptr<SkyDome>> AirlightSky::dome(Length altitude, double sun_zenith) const {
     if (const Result<Done> ok = within_range({altitude, 0.0, sun_zenith, 0.0}); !ok) return ok.error();
-    const f32::AirlightRule rule = airlight_rule(dome_nodes);
+    std::vector<f32::AirlightAir> airs;
+    for (const Pack& pack : packs_) {
+        airs.push_back(pack.tables.air);
+        airs.back().rule = airlight_rule(dome_nodes);
+    }
     const auto gather_row = [&](std::size_t p, std::span<const View> row, std::span<GatheredDome::Cell> cells) {
         std::vector<f32::AirlightRay> rays;
         for (const View& view : row)
             if (const auto ray = text_ray_of(packs_[p].shell, view)) rays.push_back(*ray);
         if (rays.size() != row.size()) return;  // none of them meets the air
-        const std::vector<f32::AirlightLight> lights = airlight_row(packs_[p].tables, rule, rays);
+        const std::vector<f32::AirlightLight> lights = airlight_row(airs[p], packs_[p].tables, rays);
         for (std::size_t j = 0; j < row.size(); ++j) GatheredDome::put(lights[j], *phases_[p], &cells[j * (cells.size() / row.size())]);
     };
     const DomeEye eye{packs_[0].shell, packs_[0].jumps_m, altitude, sun_zenith};

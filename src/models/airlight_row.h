@@ -12,7 +12,8 @@ namespace airlight {
 // The light along each ray: [rays]. Their altitudes and view zenith angles are one, and they run to the ground or out of the air;
 // at least one. Altitudes, densities and transmittances along the way are computed once, and anew only between cuts by the
 // planet's shadow.
-std::vector<f32::AirlightLight> airlight_row(const AirlightTables& tables, const f32::AirlightRule& rule,
+// `air`: that of the tables, or with another rule.
+std::vector<f32::AirlightLight> airlight_row(const f32::AirlightAir& air, const AirlightTables& tables,
                                              std::span<const f32::AirlightRay> rays);
 
 }  // namespace airlight

@@ -132,8 +132,8 @@ std::size_t AirlightTables::bytes() const {
     return 2 * (transmittance.values.size() + source.values.size() + diffuse.values.size()) + densities.size() * sizeof(densities[0]);
 }
 
-f32::AirlightLight AirlightTables::light(const f32::AirlightRule& rule, const f32::AirlightRay& ray) const {
-    return f32::airlight_light(air, rule, density_table(), transmittance_table(), source_table(), diffuse_table(), ray);
+f32::AirlightLight AirlightTables::light(const f32::AirlightRay& ray) const {
+    return f32::airlight_light(air, density_table(), transmittance_table(), source_table(), diffuse_table(), ray);
 }
 
 f32::IrradianceSpectrum AirlightTables::diffuse_on_ground(float mu_s) const {
@@ -142,18 +142,17 @@ f32::IrradianceSpectrum AirlightTables::diffuse_on_ground(float mu_s) const {
 
 f32::AirlightRule airlight_rule(int nodes) {
     assert(nodes >= 2 && nodes <= f32::airlight_nodes);
-    const InterpolatingRule gauss = interpolating_rule(nodes);
+    const GaussRule gauss = gauss_rule(nodes, 0.0, 1.0);
     f32::AirlightRule rule{};
     rule.count = nodes;
     for (int k = 0; k < nodes; ++k) {
         rule.node[k] = gauss.nodes[static_cast<std::size_t>(k)];
         rule.weight[k] = gauss.weights[static_cast<std::size_t>(k)];
-        for (int j = 0; j < nodes; ++j) rule.up_to[k * nodes + j] = gauss.up_to[static_cast<std::size_t>(k)][static_cast<std::size_t>(j)];
     }
     return rule;
 }
 
-AirlightTables airlight_tables(const Tables::Pack& pack) {
+AirlightTables airlight_tables(const Tables::Pack& pack, int nodes) {
     const AltitudeAxis density_axis(pack.air.shell.top_m, jumps_of(pack.air), density_texels);
     const PackAir air = pack_air(pack.optics, sizes);
     AirlightTables t{};
@@ -179,6 +178,7 @@ AirlightTables airlight_tables(const Tables::Pack& pack) {
     t.air.azimuth_texels = sizes.azimuth;
     t.air.view_texels = sizes.view;
     t.air.cosine_texels = sizes.transmittance_mu;
+    t.air.rule = airlight_rule(nodes);
     t.densities = density_rows(air, density_axis);
     t.transmittance = packed_transmittance(air);
     t.source = packed_source(pack, air.source_axis);

@@ -36,13 +36,13 @@ struct AirlightTables {
     PackedTable3D<f32::Spectrum> source_table() const { return {source.values.data(), source.size[0], source.size[1], source.size[2]}; }
     PackedTable2D<f32::Spectrum> diffuse_table() const { return {diffuse.values.data(), diffuse.size[0], 1}; }
 
-    f32::AirlightLight light(const f32::AirlightRule& rule, const f32::AirlightRay& ray) const;
+    f32::AirlightLight light(const f32::AirlightRay& ray) const;
     // Of a level surface on the ground, by the whole sky but the sun's disk.
     f32::IrradianceSpectrum diffuse_on_ground(float mu_s) const;
 };
 
-// Samples the tables of a pack anew, geometrically between their texels.
-AirlightTables airlight_tables(const Tables::Pack& pack);
+// Samples the tables of a pack anew, geometrically between their texels. `nodes`: of a piece of a ray, 2 to airlight_nodes.
+AirlightTables airlight_tables(const Tables::Pack& pack, int nodes);
 
 // Gauss's rule of 2 to airlight_nodes nodes.
 f32::AirlightRule airlight_rule(int nodes);

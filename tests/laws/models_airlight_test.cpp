@@ -43,7 +43,7 @@ const Skies& skies() {
 
 TEST_CASE("airlight: the tables of sixteen wavelengths take at most 4 MiB") {
     const Tables tables = *bake_tables(*preset("earth-clear"), wavelengths, quick_bake(), {});
-    CHECK(airlight_tables(tables.packs()[0]).bytes() <= 4 * 1024 * 1024);
+    CHECK(airlight_tables(tables.packs()[0], 12).bytes() <= 4 * 1024 * 1024);
 }
 
 // By day the tables' own interpolation is good to a percent or two, and packing keeps it.
@@ -138,9 +138,8 @@ TEST_CASE("airlight: directions of one zenith angle, asked together, are those a
 // Rows share their way through the air but where the planet's shadow cuts it: by day, in twilight, from space.
 TEST_CASE("airlight: a row of rays is its rays") {
     const Tables baked = *bake_tables(*preset("earth-clear"), wavelengths, quick_bake(), {});
-    const AirlightTables tables = airlight_tables(baked.packs()[0]);
     // Pieces are cut at other places: with so many nodes that does not matter.
-    const f32::AirlightRule rule = airlight_rule(f32::airlight_nodes);
+    const AirlightTables tables = airlight_tables(baked.packs()[0], f32::airlight_nodes);
     for (const double h : {0.0, 2000.0, 100'000.0})
         for (const double mu : {0.8, 0.02, -0.02, -0.1, -0.9})
             for (const double mu_s : {0.7, -0.05, -0.15}) {
@@ -149,9 +148,9 @@ TEST_CASE("airlight: a row of rays is its rays") {
                     rays.push_back({f32::Length::of(static_cast<float>(h)), f32::Number(mu), f32::Number(mu_s),
                                     f32::Number(mu * mu_s + std::sqrt((1 - mu * mu) * (1 - mu_s * mu_s)) * std::cos(pi * i / 8)),
                                     f32::Length::of(1e30f)});
-                const std::vector<f32::AirlightLight> row = airlight_row(tables, rule, rays);
+                const std::vector<f32::AirlightLight> row = airlight_row(tables.air, tables, rays);
                 for (std::size_t i = 0; i < rays.size(); ++i) {
-                    const f32::AirlightLight alone = tables.light(rule, rays[i]);
+                    const f32::AirlightLight alone = tables.light(rays[i]);
                     CAPTURE(h);
                     CAPTURE(mu);
                     CAPTURE(mu_s);
