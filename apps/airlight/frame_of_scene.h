@@ -7,6 +7,7 @@
 
 #include "image/image.h"
 #include "scene/scene.h"
+#include "transport/table_cache.h"
 
 namespace airlight::cli {
 
@@ -15,6 +16,14 @@ struct DrawnFrame {
     std::vector<std::tuple<std::string, std::string, std::string>> figures;  // quantity, value, unit
 };
 
-Result<DrawnFrame> draw_scene(const Scene& scene, int width, int height);
+// How the tables of a scene's air are made and kept.
+struct TableWishes {
+    BakeSettings bake;
+    CacheSettings cache;
+    Progress progress;
+};
+
+// The tables are baked, or loaded, unless the scene has no air.
+Result<DrawnFrame> draw_scene(const Scene& scene, int width, int height, const TableWishes& tables);
 
 }  // namespace airlight::cli

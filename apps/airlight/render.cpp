@@ -13,6 +13,7 @@
 #include "image/exr.h"
 #include "image/png.h"
 #include "image/tone.h"
+#include "interrupt.h"
 #include "spectrum/colour.h"
 #include "units/text.h"
 
@@ -27,6 +28,10 @@ struct RenderOptions {
     int height = 720;
     std::string exposure = "auto";
     std::string tone = "filmic";
+    std::string sizes = table_sizes_text({});
+    int orders = BakeSettings{}.orders;
+    std::string cache;
+    bool quiet = false;
 };
 
 // Everything that can be wrong, found out before anything long begins.
@@ -34,7 +39,19 @@ struct Wishes {
     Scene scene;
     ToneCurve tone;
     std::optional<double> exposure;  // none: metered
+    TableWishes tables;
 };
+
+Result<TableWishes> table_wishes_of(const RenderOptions& given) {
+    const Result<TableSizes> sizes = parse_table_sizes(given.sizes);
+    if (!sizes) return at("--sizes", sizes.error());
+    const Result<BakeSettings> bake = validated(BakeSettings{.sizes = *sizes, .orders = given.orders});
+    if (!bake) return at("--orders", bake.error());
+    TableWishes wishes{*bake, {}, {}};
+    if (!given.cache.empty()) wishes.cache.folder = given.cache;
+    wishes.cache.warn = [](const Error& warning) { fmt::print(stderr, "warning: {}\n", warning.message()); };
+    return wishes;
+}
 
 Result<Done> check_output(const std::string& path) {
     const std::string extension = std::filesystem::path(path).extension().string();
@@ -53,7 +70,9 @@ Result<Wishes> wishes_of(const RenderOptions& given) {
     if (!tone) return Error{"--tone", fmt::format("\"{}\" is none of: {}", given.tone, tone_curve_names), ""};
     for (const std::string& path : given.outputs)
         if (const Result<Done> possible = check_output(path); !possible) return possible.error();
-    Wishes wishes{*scene, *tone, std::nullopt};
+    const Result<TableWishes> tables = table_wishes_of(given);
+    if (!tables) return tables.error();
+    Wishes wishes{*scene, *tone, std::nullopt, *tables};
     if (given.exposure == "auto") return wishes;
     const Result<double> ev = parse_number(given.exposure);
     if (!ev)
@@ -86,9 +105,12 @@ Result<Done> write(const std::string& path, const Image& image, const RenderOpti
 }
 
 Result<Done> run(const RenderOptions& given) {
-    const Result<Wishes> wishes = wishes_of(given);
+    const Interrupt interrupt;
+    Result<Wishes> wishes = wishes_of(given);
     if (!wishes) return wishes.error();
-    const Result<DrawnFrame> drawn = draw_scene(wishes->scene, given.width, given.height);
+    ProgressLine line(given.quiet);
+    wishes->tables.progress = line.progress(interrupt.token());
+    const Result<DrawnFrame> drawn = draw_scene(wishes->scene, given.width, given.height, wishes->tables);
     if (!drawn) return drawn.error();
     for (const std::string& path : given.outputs)
         if (const Result<Done> written = write(path, drawn->image, given, *wishes); !written) return written.error();
@@ -102,8 +124,7 @@ Result<Done> run(const RenderOptions& given) {
 
 Command render_command(CLI::App& airlight) {
     const auto given = std::make_shared<RenderOptions>();
-    CLI::App* render =
-        airlight.add_subcommand("render", "Draw a planet's ground in sunlight from anywhere, without a window (and, so far, without air).");
+    CLI::App* render = airlight.add_subcommand("render", "Draw a planet from anywhere, its ground and its air, without a window.");
     render->add_option("scene", given->scene, "a scene file: docs/scene-file.md")->required()->option_text("<scene.toml>");
     render->add_option("-o,--output", given->outputs, "a .exr (light in cd m-2) or .png file; may be given several times")
         ->option_text("<file>")
@@ -116,6 +137,15 @@ Command render_command(CLI::App& airlight) {
     render->add_option("--tone", given->tone, "of PNG files: linear, exponential, reinhard or filmic")
         ->option_text("<curve>")
         ->capture_default_str();
+    render->add_option("--orders", given->orders, "of the air's tables: orders of scattering computed, the rest extrapolated")
+        ->option_text("<n>")
+        ->capture_default_str();
+    render->add_option("--sizes", given->sizes, "of the air's tables: texels of sun x azimuth x view x altitude, transmittance")
+        ->option_text("<sizes>")
+        ->capture_default_str();
+    render->add_option("--cache", given->cache, "where tables are kept (default: $XDG_CACHE_HOME/airlight or ~/.cache/airlight)")
+        ->option_text("<folder>");
+    render->add_flag("--quiet", given->quiet, "no progress on standard error");
     render->footer(
         help_footer("CSV: quantity, value, unit: who draws, how long each pass takes, how many patches the ground has; last, the files.",
                     "airlight render data/demo/mountains.toml --width 160 --height 90 -o mountains.png"));

@@ -1,5 +1,6 @@
 #include "models/airlight_block.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstring>
 #include <utility>
@@ -79,6 +80,16 @@ std::vector<float> gpu_texels(const PackedTexels& table, int first) {
 std::vector<float> gpu_densities(const AirlightTables& tables) {
     std::vector<float> texels;
     for (const f32::Spectrum& row : tables.densities) texels.insert(texels.end(), row.v, row.v + 4);
+    return texels;
+}
+
+std::vector<float> gpu_phases(const PackPhases& phases, int first) {
+    const std::size_t parts = phases.parts().size(), samples = parts > 0 ? phases.samples().size() / parts : 1;
+    const std::size_t row = samples * gpu_wavelengths;
+    std::vector<float> texels(row * f32::airlight_parts, 0.0f);
+    for (std::size_t i = 0; i < parts; ++i)
+        for (std::size_t k = 0; k < samples; ++k)
+            std::copy_n(phases.samples()[k * parts + i].v + first, gpu_wavelengths, &texels[row * phases.parts()[i] + k * gpu_wavelengths]);
     return texels;
 }
 

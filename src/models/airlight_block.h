@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "models/airlight_tables.h"
+#include "sky/pack_phases.h"
 
 namespace airlight {
 
@@ -19,5 +20,7 @@ std::vector<std::byte> airlight_block(const f32::AirlightAir& air, int first);
 std::vector<float> gpu_texels(const PackedTexels& table, int first);
 // The densities, four constituents a texel: [2][density_axis.texels][4].
 std::vector<float> gpu_densities(const AirlightTables& tables);
+// Phase functions, even in the root of the scattering angle, zeros of what does not scatter: [airlight_parts][samples][4].
+std::vector<float> gpu_phases(const PackPhases& phases, int first);
 
 }  // namespace airlight

@@ -22,7 +22,8 @@ Image image_of(const gpu::Texture& radiance) {
 
 }  // namespace
 
-Result<Frame> Frame::create(const gpu::Context& context, const HeightField& ground, GroundColour colour, const Camera& like) {
+Result<Frame> Frame::create(const gpu::Context& context, const HeightField& ground, GroundColour colour, const Camera& like,
+                            std::optional<AirPass> air) {
     Result<TerrainPass> terrain = TerrainPass::create(
         std::move(ground), {.pixels_per_radian = pixels_per_radian(like), .pixels_of_square = 5.0}, {}, std::move(colour));
     if (!terrain) return terrain.error();
@@ -33,14 +34,16 @@ Result<Frame> Frame::create(const gpu::Context& context, const HeightField& grou
     gpu::Texture radiance({like.width, like.height});
     Result<gpu::Framebuffer> target = gpu::Framebuffer::create({&radiance});
     if (!target) return target.error();
-    return Frame(context, std::move(*terrain), std::move(*light), std::move(*surfaces), std::move(radiance), std::move(*target));
+    return Frame(context, std::move(*terrain), std::move(*light), std::move(air), std::move(*surfaces), std::move(radiance),
+                 std::move(*target));
 }
 
-Frame::Frame(const gpu::Context& context, TerrainPass terrain, LightPass light, GeometryBuffer surfaces, gpu::Texture radiance,
-             gpu::Framebuffer target)
+Frame::Frame(const gpu::Context& context, TerrainPass terrain, LightPass light, std::optional<AirPass> air, GeometryBuffer surfaces,
+             gpu::Texture radiance, gpu::Framebuffer target)
     : context_(&context),
       terrain_(std::move(terrain)),
       light_(std::move(light)),
+      air_(std::move(air)),
       surfaces_(std::move(surfaces)),
       radiance_(std::move(radiance)),
       target_(std::move(target)) {}
@@ -55,9 +58,10 @@ Result<Image> Frame::draw(const Camera& camera, const Lights& lights) {
         GeometryBuffer::end();
     }
     {
-        const auto pass = timers_.time("light");
+        const auto pass = timers_.time(air_ ? "air" : "light");
         target_.bind();
-        light_.draw(surfaces_, lights);
+        if (air_) air_->draw(surfaces_, camera, lights.towards_sun);
+        else light_.draw(surfaces_, lights);
     }
     Image image = image_of(radiance_);
     times_ = timers_.read();

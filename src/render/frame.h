@@ -2,9 +2,12 @@
 // Uses the passes of this module and image.
 #pragma once
 
+#include <optional>
+
 #include "gpu/context.h"
 #include "gpu/pass_timers.h"
 #include "image/image.h"
+#include "render/air_pass.h"
 #include "render/camera_block.h"
 #include "render/light_pass.h"
 #include "render/terrain_pass.h"
@@ -14,10 +17,12 @@ namespace airlight::render {
 class Frame {
 public:
     // For pictures of this size and field of view; `context` outlives it.
-    static Result<Frame> create(const gpu::Context& context, const HeightField& ground, GroundColour colour, const Camera& like);
+    static Result<Frame> create(const gpu::Context& context, const HeightField& ground, GroundColour colour, const Camera& like,
+                                std::optional<AirPass> air);
 
-    // Red, green and blue of each pixel, in the unit of the lights a steradian; black where there is nothing. The camera has the size that
-    // the frame was made for. Fails if the GPU was reset.
+    // Red, green and blue of each pixel: with air, in the unit of its colours, and lights.towards_sun alone counts; without, in the unit
+    // of the lights a steradian, black where there is nothing. The camera has the size that the frame was made for. Fails if the GPU was
+    // reset.
     Result<Image> draw(const Camera& camera, const Lights& lights);
 
     // Of the last picture.
@@ -25,13 +30,14 @@ public:
     const TerrainCount& terrain() const { return terrain_.count(); }
 
 private:
-    Frame(const gpu::Context& context, TerrainPass terrain, LightPass light, GeometryBuffer surfaces, gpu::Texture radiance,
-          gpu::Framebuffer target);
+    Frame(const gpu::Context& context, TerrainPass terrain, LightPass light, std::optional<AirPass> air, GeometryBuffer surfaces,
+          gpu::Texture radiance, gpu::Framebuffer target);
 
     const gpu::Context* context_;
     CameraBlock camera_;
     TerrainPass terrain_;
     LightPass light_;
+    std::optional<AirPass> air_;
     GeometryBuffer surfaces_;
     gpu::Texture radiance_;
     gpu::Framebuffer target_;

@@ -34,7 +34,8 @@ struct SunScene {
 };
 
 struct Scene {
-    std::string file;  // for messages
+    std::string file;                        // for messages
+    std::string atmosphere = "earth-clear";  // a preset or a file, its path relative to that of the scene; "none" is no air
     GroundScene ground;
     CameraScene camera;
     SunScene sun;

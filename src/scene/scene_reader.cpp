@@ -111,6 +111,7 @@ Result<Scene> parse_scene(std::string_view toml, std::string_view name) {
     TomlInput file(*table, "", failure);
     Scene scene;
     scene.file = name;
+    if (const auto air = file.text("atmosphere")) scene.atmosphere = *air;
     read_ground(file, scene, std::filesystem::path(name).parent_path());
     read_camera(file, scene);
     if (!failure.first) read_sun(file, scene);

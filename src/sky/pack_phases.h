@@ -18,6 +18,8 @@ public:
 
     // The constituents that scatter, in the order of the atmosphere.
     std::span<const std::size_t> parts() const { return parts_; }
+    // Values at scattering angles that are even in their root: [sample][i of parts()].
+    std::span<const f32::PhaseSpectrum> samples() const { return samples_; }
     // How many of the pack's wavelengths are distinct.
     int wavelength_count() const { return wavelength_count_; }
 
@@ -47,7 +49,7 @@ public:
 private:
     std::vector<std::size_t> parts_;
     int wavelength_count_;
-    std::vector<f32::PhaseSpectrum> samples_;  // [sample][i of parts()], even in the root of the angle: dense where it peaks
+    std::vector<f32::PhaseSpectrum> samples_;  // dense where the phase function peaks
 };
 
 // Shared by a sky and its domes.

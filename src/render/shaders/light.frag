@@ -2,6 +2,8 @@
 // The light of the sun and of an even sky on what the geometry buffer holds, without air.
 #include "camera.glsl"
 #include "octahedral.glsl"
+const float pi = 3.14159265358979;
+#include "surface_light.glsl"
 layout(binding = 0) uniform sampler2D depth_buffer;
 layout(binding = 1) uniform sampler2D colour_buffer;
 layout(binding = 2) uniform sampler2D normal_buffer;
@@ -13,18 +15,6 @@ layout(std140, binding = 2) uniform Lights {
 };
 layout(location = 0) in vec2 place;
 layout(location = 0) out vec4 radiance;
-
-const float pi = 3.14159265358979;
-const float mirror_of_water = 0.02;  // reflectance of still water at right angles
-
-// The sun in water whose waves tilt as a Gaussian of their slope does, with a mean square of roughness^2 / 2 [CoxMunk1954].
-float glint(vec3 n, vec3 view, float roughness) {
-    vec3 between = normalize(towards_sun.xyz + view);
-    float c = clamp(dot(n, between), 1e-2, 1.0), m = roughness * roughness;
-    float slopes = exp((1.0 - 1.0 / (c * c)) / m) / (pi * m * c * c * c * c);
-    float fresnel = mirror_of_water + (1.0 - mirror_of_water) * pow(1.0 - clamp(dot(view, between), 0.0, 1.0), 5.0);
-    return fresnel * slopes / (4.0 * max(dot(n, view), 0.05));
-}
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -38,8 +28,6 @@ void main() {
     vec3 position = position_at(place, texelFetch(depth_buffer, pixel, 0).r);
     vec3 up = normalize(vec3(camera_eye_m.xyz + dvec3(position)));
     float day = smoothstep(-0.05, 0.05, dot(up, towards_sun.xyz));
-    float facing = max(dot(n, towards_sun.xyz), 0.0) * day;
-    vec3 light = colour.rgb / pi * (sun.rgb * facing + sky.rgb * day * (0.5 + 0.5 * dot(n, up)));
-    if (facing > 0.0) light += material.g * sun.rgb * day * glint(n, -normalize(position), material.r);
-    radiance = vec4(light, 1.0);
+    SurfaceLight light = surface_light(colour.rgb, material, n, up, -normalize(position), towards_sun.xyz);
+    radiance = vec4(day * (sun.rgb * light.of_sun + sky.rgb * light.of_sky), 1.0);
 }

@@ -1,0 +1,178 @@
+// The pass of air against the CPU's `airlight` through the same camera: the sky, and black and white walls in the air, from the ground to
+// space.
+
+#include <doctest/doctest.h>
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "atmosphere/presets.h"
+#include "gpu/vertex_array.h"
+#include "models/airlight_tables.h"
+#include "models/model.h"
+#include "render/air_pass.h"
+#include "render/camera_block.h"
+#include "render/shaders.h"
+#include "tools/gpu_case.h"
+
+using namespace airlight;
+using namespace airlight::test;
+
+namespace {
+
+constexpr int width = 24, height = 16;
+// Five wavelengths are two groups of four; three of them are the three channels.
+const std::vector<Wavelength> wavelengths = {450.0 * nm, 500.0 * nm, 550.0 * nm, 600.0 * nm, 650.0 * nm};
+const std::vector<Vec3> colours = {{0, 0, 1}, {0, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}};
+constexpr std::array<std::size_t, 3> wavelength_of_channel = {4, 2, 0};
+const BakeSettings quick = {
+    .sizes = {.transmittance_mu = 64, .transmittance_altitude = 32, .sun = 24, .azimuth = 4, .view = 8, .altitude = 12}, .orders = 2};
+
+// What stands before the eye: nothing, or a wall across the view that faces the sun.
+struct Wall {
+    double distance_m = 0.0;  // along the camera's axis; 0: there is none
+    float reflectance = 0.0f;
+};
+
+class Pictures {
+public:
+    Pictures() {
+        const Result<gpu::ShaderText> vertex = render::shader_text("fullscreen.vert");
+        const auto read = [](const std::string& path) -> Result<std::string> {
+            const Result<gpu::ShaderText> file = render::shader_text(path);
+            if (!file) return file.error();
+            return file->text;
+        };
+        const Result<gpu::ShaderText> fragment = gpu::resolve_includes(R"(#version 450 core
+#include "geometry_buffer.glsl"
+layout(std140, binding = 0) uniform WallBlock { vec4 normal_and_depth; vec4 reflectance; };
+void main() {
+    gl_FragDepth = normal_and_depth.w;
+    write_surface(reflectance.rgb, normal_and_depth.xyz, 1.0, 0.0);
+}
+)",
+                                                                       gpu::ReadText(read));
+        REQUIRE(vertex);
+        REQUIRE(fragment);
+        const gpu::Stage stages[] = {{GL_VERTEX_SHADER, *vertex}, {GL_FRAGMENT_SHADER, *fragment}};
+        Result<gpu::Program> made = gpu::Program::link("wall", stages);
+        if (!made) FAIL(made.error().message());
+        wall_.emplace(std::move(*made));
+    }
+
+    // Red, green, blue and 1 of each pixel, the lowest row first.
+    std::vector<float> draw(const render::AirPass& air, const Camera& camera, Vec3 towards_sun, Wall wall) const {
+        surfaces_->begin();
+        if (wall.distance_m > 0.0) {
+            const auto f = [](double x) { return static_cast<float>(x); };
+            const std::array<float, 8> block = {f(towards_sun.x), f(towards_sun.y), f(towards_sun.z), f(render::near_m / wall.distance_m),
+                                                wall.reflectance, wall.reflectance, wall.reflectance, 0.0f};
+            const gpu::Buffer uniform(std::as_bytes(std::span(block)));
+            uniform.bind_uniform(0);
+            wall_->use();
+            triangle_.draw_triangles(3);
+        }
+        render::GeometryBuffer::end();
+        camera_block_.bind(camera);
+        target_->bind();
+        air.draw(*surfaces_, camera, towards_sun);
+        std::vector<float> pixels(4 * width * height);
+        radiance_.read(pixels);
+        return pixels;
+    }
+
+private:
+    Result<render::GeometryBuffer> surfaces_ = render::GeometryBuffer::create(width, height);
+    gpu::Texture radiance_{{width, height}};
+    Result<gpu::Framebuffer> target_ = gpu::Framebuffer::create({&radiance_});
+    render::CameraBlock camera_block_;
+    gpu::VertexArray triangle_;
+    std::optional<gpu::Program> wall_;
+};
+
+// What both are asked about, and the CPU's answers.
+struct Truth {
+    Atmosphere atmosphere = *preset("earth-clear");
+    Tables baked = *bake_tables(atmosphere, wavelengths, quick, {});
+    AirlightTables tables = airlight_tables(baked.packs()[0], 12);
+    std::unique_ptr<Sky> sky = *make_sky("airlight", atmosphere, wavelengths, {.bake = quick, .cache = {.folder = {}, .enabled = false}});
+    double bottom_m() const { return atmosphere.bottom_radius.in(m); }
+};
+
+double angle_between(Vec3 a, Vec3 b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
+
+// The view of a direction from a place, the sun towards `sun`.
+View view_of(Vec3 from, double bottom_m, Vec3 direction, Vec3 sun) {
+    const Vec3 up = glm::normalize(from);
+    const Vec3 level = direction - glm::dot(direction, up) * up, sun_level = sun - glm::dot(sun, up) * up;
+    return {(glm::length(from) - bottom_m) * m, angle_between(direction, up), angle_between(sun, up), angle_between(level, sun_level)};
+}
+
+// What the CPU says of a pixel whose direction has length one along the camera's axis.
+std::vector<double> seen_by_cpu(const Truth& model, const Camera& camera, Vec3 ray, Vec3 sun, Wall wall) {
+    const View view = view_of(camera.eye, model.bottom_m(), glm::normalize(ray), sun);
+    if (wall.distance_m <= 0.0) return model.sky->radiance(view)->radiance_W_m2_sr_nm;
+    const Vec3 place = ray * wall.distance_m, from_centre = camera.eye + place;
+    const AerialPerspective air = *model.sky->aerial_perspective(view, glm::length(place) * m);
+    std::vector<double> seen = air.inscattered_W_m2_sr_nm;
+    if (wall.reflectance <= 0.0f) return seen;
+    const Length altitude = std::max(glm::length(from_centre) - model.bottom_m(), 0.0) * m;
+    const double zenith = angle_between(from_centre, sun), tilt = 0.5 + 0.5 * std::cos(zenith);
+    const std::vector<double> sunlight = *model.sky->sunlight_transmittance(altitude, zenith);
+    const f32::IrradianceSpectrum diffuse = model.tables.diffuse_on_ground(static_cast<float>(std::cos(zenith)));
+    for (std::size_t w = 0; w < seen.size(); ++w)
+        seen[w] += air.transmittance[w] / pi * static_cast<double>(wall.reflectance) *
+                   (sunlight[w] * model.atmosphere.sun.irradiance.at(wavelengths[w]).value + tilt * static_cast<double>(diffuse.v[w]));
+    return seen;
+}
+
+// The mean difference of a picture from the CPU's, over its mean.
+double mean_error(const std::vector<float>& pixels, const Truth& model, const Camera& camera, Vec3 sun, Wall wall) {
+    double difference = 0.0, sum = 0.0;
+    const HalfSize half = half_size(camera);
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column) {
+            const double x = (column + 0.5) / width * 2.0 - 1.0, y = (row + 0.5) / height * 2.0 - 1.0;
+            const Vec3 ray = camera.forward + x * half.width * camera.right + y * half.height * camera.up;
+            const std::vector<double> exact = seen_by_cpu(model, camera, ray, sun, wall);
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double expected = exact[wavelength_of_channel[c]];
+                difference += std::abs(static_cast<double>(pixels[static_cast<std::size_t>(4 * (row * width + column)) + c]) - expected);
+                sum += expected;
+            }
+        }
+    return difference / sum;
+}
+
+}  // namespace
+
+// The pass takes eight nodes a piece of a ray for the CPU's twelve, and reads its tables as textures.
+TEST_CASE("the pass of air is within 3 % of airlight on the CPU, from the ground, the air and space, by day and at sunset") {
+    const GpuCase gpu_case;
+    if (!gpu_case) return;
+    const Truth model;
+    const double bottom_m = model.bottom_m();
+    const Result<render::AirPass> air = render::AirPass::create(model.baked, colours);
+    if (!air) FAIL(air.error().message());
+    const Pictures pictures;
+    fmt::print("  mean error, %     {:>8} {:>10} {:>10}\n", "sky", "black wall", "white wall");
+    for (const auto& [altitude_m, pitch_deg, wall_m] : {std::array{2.0, 12.0, 2e4}, {1e4, -5.0, 5e4}, {4e5, -25.0, 1.2e6}})
+        for (const double sun_deg : {30.0, 85.0}) {
+            Camera camera = look(
+                Viewpoint{.latitude = 0.7, .longitude = 0.2, .altitude_m = altitude_m, .heading = 0.5, .pitch = pitch_deg * deg}, bottom_m);
+            camera.width = width, camera.height = height;
+            const Vec3 sun =
+                look(Viewpoint{.latitude = 0.7, .longitude = 0.2, .heading = 2.5, .pitch = (90.0 - sun_deg) * deg}, bottom_m).forward;
+            std::vector<double> errors;
+            for (const Wall wall : {Wall{}, Wall{wall_m, 0.0f}, Wall{wall_m, 1.0f}})
+                errors.push_back(mean_error(pictures.draw(*air, camera, sun, wall), model, camera, sun, wall));
+            fmt::print("  {:>7.0f} m, sun {:>2.0f} {:>8.3f} {:>10.3f} {:>10.3f}\n", altitude_m, sun_deg, 100.0 * errors[0],
+                       100.0 * errors[1], 100.0 * errors[2]);
+            for (const double error : errors) CHECK(error <= 0.03);
+        }
+}
