@@ -39,8 +39,9 @@ Result<std::optional<Atmosphere>> air_of(const Scene& scene) {
 // In cd m-2 of the primaries of sRGB, under the sun of the scene.
 std::vector<Vec3> colours_of(const Atmosphere& air, const WavelengthGrid& grid, const Scene& scene) {
     const RgbConverter converter(RgbSpace::srgb, WhitePoint::d65);
+    const ColourWeights weights(grid, air.sun.irradiance);
     std::vector<Vec3> colours;
-    for (const Xyz& weight : ColourWeights(grid, air.sun.irradiance).weights()) {
+    for (const Xyz& weight : weights.weights()) {
         const Rgb rgb = converter.to_rgb(weight);
         colours.push_back(Vec3(rgb.r, rgb.g, rgb.b) / (scene.sun.distance_au * scene.sun.distance_au));
     }

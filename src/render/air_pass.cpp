@@ -14,7 +14,7 @@ namespace {
 
 using Four = std::array<float, 4>;
 
-// On a piece of a ray: within a percent of twelve, at two thirds of the time.
+// On a piece of a ray. tests/parity/air_pass_test.cpp: within 1.1 % of twelve from space at sunset, 0.4 % elsewhere.
 constexpr int nodes_per_piece = 8;
 
 constexpr unsigned air_binding = 1, view_binding = 2, colours_binding = 3;

@@ -19,6 +19,7 @@
 #include "render/camera_block.h"
 #include "render/shaders.h"
 #include "tools/gpu_case.h"
+#include "tools/temporary_folder.h"
 
 using namespace airlight;
 using namespace airlight::test;
@@ -98,9 +99,10 @@ private:
 // What both are asked about, and the CPU's answers.
 struct Truth {
     Atmosphere atmosphere = *preset("earth-clear");
-    Tables baked = *bake_tables(atmosphere, wavelengths, quick, {});
+    TemporaryFolder cache;
+    Tables baked = *cached_tables(atmosphere, wavelengths, quick, {.folder = cache.path}, {});
     AirlightTables tables = airlight_tables(baked.packs()[0], 12);
-    std::unique_ptr<Sky> sky = *make_sky("airlight", atmosphere, wavelengths, {.bake = quick, .cache = {.folder = {}, .enabled = false}});
+    std::unique_ptr<Sky> sky = *make_sky("airlight", atmosphere, wavelengths, {.bake = quick, .cache = {.folder = cache.path}});
     double bottom_m() const { return atmosphere.bottom_radius.in(m); }
 };
 
