@@ -1,4 +1,4 @@
-// `airlight render`: a picture of a planet's ground from anywhere, without a window.
+// `airlight render`: a picture of a planet from anywhere, without a window.
 
 #include <fmt/format.h>
 
@@ -146,9 +146,9 @@ Command render_command(CLI::App& airlight) {
     render->add_option("--cache", given->cache, "where tables are kept (default: $XDG_CACHE_HOME/airlight or ~/.cache/airlight)")
         ->option_text("<folder>");
     render->add_flag("--quiet", given->quiet, "no progress on standard error");
-    render->footer(
-        help_footer("CSV: quantity, value, unit: who draws, how long each pass takes, how many patches the ground has; last, the files.",
-                    "airlight render data/demo/mountains.toml --width 160 --height 90 -o mountains.png"));
+    render->footer(help_footer(
+        "CSV: quantity, value, unit: who draws, how long each pass takes, how many patches the ground has; last, the files.",
+        "airlight render data/demo/mountains.toml --width 160 --height 90 --sizes 16x8x16x8 --orders 3 --cache tables -o mountains.png"));
     return {render, [given] { return run(*given); }};
 }
 

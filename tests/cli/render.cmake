@@ -16,3 +16,9 @@ airlight_cli_test("render: a missing elevation file is told" EXIT 1 ERR "corpus/
 airlight_cli_test("render: a file that is neither EXR nor PNG is refused" EXIT 1 ERR "^m.jpg: is neither" COMMAND render ${mountains} -o m.jpg)
 airlight_cli_test("render: a picture of no size is refused" EXIT 1 ERR "0 x 720 is out of range" COMMAND render ${mountains} --width 0 -o m.png)
 airlight_cli_test("render: an exposure that is none is refused" EXIT 1 ERR "^--exposure: \"bright\"" COMMAND render ${mountains} --exposure bright -o m.png)
+if(AIRLIGHT_GPU)
+  airlight_cli_test("render: a scene without air is drawn without it" OUT "^pass light,[0-9.]+,ms$"
+    COMMAND render ${CMAKE_CURRENT_SOURCE_DIR}/../corpus/scene/no-air.toml --width 64 --height 36 -o m.png)
+  airlight_cli_test("render: an atmosphere that is none is told" EXIT 1 ERR "no-such-air.toml: atmosphere"
+    COMMAND render ${CMAKE_CURRENT_SOURCE_DIR}/../corpus/scene/no-such-air.toml --width 64 --height 36 -o m.png)
+endif()
