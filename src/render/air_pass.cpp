@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cassert>
+#include <utility>
 
 #include "models/airlight_block.h"
 #include "render/shaders.h"
