@@ -228,21 +228,26 @@ FN Length airlight_next_cut(WITH_AIRLIGHT_AIR IN(TABLE_2D(Spectrum)) densities, 
 }
 
 // Where a ray next enters or leaves the planet's shadow after x, or else `to`. The shadow is a cylinder whose axis points from the
-// sun and whose radius is the ground's.
+// sun and whose radius is the ground's. Around it lies light that has grazed dense air: it rises from nothing to nearly all of the
+// sun's within two more cylinders, at 6 % and 20 % of the height of the air, which cut the ray too.
 FN Length airlight_shadow_cut(WITH_AIRLIGHT_AIR IN(AirlightRay) ray, Length x, Length to) {
     Length r = air.bottom + ray.h;
     Length start = r * ray.mu;
     Number a = 1.0 - ray.nu * ray.nu;
+    if (a < 1e-6) return to;
     Length b = r * (ray.mu - ray.mu_s * ray.nu);
-    Area c = ray.h * (2.0 * air.bottom + ray.h) - r * ray.mu_s * (r * ray.mu_s);
-    Area discriminant = b * b - a * c;
-    if (a > 1e-6 && discriminant > 0.0 * m * m) {
-        Length root = sqrt(discriminant);
-        Length enters = (-b - root) / a;
-        Length leaves = (-b + root) / a;
-        Length least = x + 1e-6 * (to - x);
-        if (r * ray.mu_s + ray.nu * enters < 0.0 * m) to = airlight_nearer(to, least, start + enters);
-        if (r * ray.mu_s + ray.nu * leaves < 0.0 * m) to = airlight_nearer(to, least, start + leaves);
+    Length least = x + 1e-6 * (to - x);
+    for (int i = 0; i < 3; ++i) {
+        Length above = (i == 0 ? 0.0 : (i == 1 ? 0.06 : 0.2)) * air.top;
+        Area c = (ray.h - above) * (2.0 * air.bottom + ray.h + above) - r * ray.mu_s * (r * ray.mu_s);
+        Area discriminant = b * b - a * c;
+        if (discriminant > 0.0 * m * m) {
+            Length root = sqrt(discriminant);
+            Length enters = (-b - root) / a;
+            Length leaves = (-b + root) / a;
+            if (r * ray.mu_s + ray.nu * enters < 0.0 * m) to = airlight_nearer(to, least, start + enters);
+            if (r * ray.mu_s + ray.nu * leaves < 0.0 * m) to = airlight_nearer(to, least, start + leaves);
+        }
     }
     return to;
 }
