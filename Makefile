@@ -10,7 +10,7 @@ help:
 	@echo 'make demo      install what is missing, build, and compute a real sky; names the files it wrote'
 	@echo 'make test      the same set-up, then every test'
 	@echo 'make truth     every row of the independent figures in ../shared/reference, ending in a verdict (about ten minutes)'
-	@echo 'make models    every model against the reference: docs/models.md, and out/models/report.html (about twelve minutes; goes on if stopped)'
+	@echo 'make models    every model against the reference: docs/models.md, and out/models/report.html (shows the time left; goes on if stopped)'
 	@echo 'make models-grounds  the same for other grounds and turbid air: docs/models-grounds.md (about ten minutes; goes on if stopped)'
 	@echo 'make figures   the pictures of docs/gallery.md, in docs/images/figures (three minutes; goes on if stopped)'
 	@echo 'make bench     benchmarks'

@@ -6,7 +6,7 @@
 //   parameters   those of the tables that it is made of (models/tables.cpp); constituents with more than seven jumps of density
 //                altogether lose the upper ones
 //   cost         a bake of tables (seconds a pack of sixteen wavelengths, or from the cache), packed into 16 bits;
-//                some eight microseconds a ray; by day seven milliseconds a dome and a tenth of a microsecond a direction
+//                some ten microseconds a ray; by day six milliseconds a dome, and less than a tenth of a microsecond a direction of a row
 //   reference    the text is physics/models/airlight.glsl; accuracy and speed: docs/models.md
 #include <algorithm>
 #include <cmath>
@@ -144,7 +144,7 @@ Result<std::unique_ptr<SkyDome>> AirlightSky::dome(Length altitude, double sun_z
             if (const auto ray = text_ray_of(packs_[p].shell, view)) rays.push_back(*ray);
         if (rays.size() != row.size()) return;  // none of them meets the air
         const std::vector<f32::AirlightLight> lights = airlight_row(airs[p], packs_[p].tables, rays);
-        for (std::size_t j = 0; j < row.size(); ++j) GatheredDome::put(lights[j], *phases_[p], &cells[j * (cells.size() / row.size())]);
+        for (std::size_t j = 0; j < row.size(); ++j) GatheredDome::put(lights[j], *phases_[p], j, cells);
     };
     const DomeEye eye{packs_[0].shell, packs_[0].jumps_m, altitude, sun_zenith};
     return std::unique_ptr<SkyDome>(std::make_unique<GatheredDome>(eye, eye.sees_shadow() ? shadow_grid : day_grid, phases_, gather_row));

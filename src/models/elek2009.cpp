@@ -98,8 +98,7 @@ void fill_ray(const TwoLookUpSky::Pack& pack, const PackTables& baked, int altit
 std::shared_ptr<const ElekTables> filled(const TwoLookUpSky::Pack& pack, const PackTables& baked) {
     auto tables = std::make_shared<ElekTables>();
     tables->multiple.resize(altitudes * views * suns);
-    for (std::size_t p = 0; p < pack.optics.parts.size(); ++p)
-        if (pack.optics.parts[p].scatters) tables->single[p].resize(altitudes * views * suns);
+    for (const std::size_t p : pack.phases.parts()) tables->single[p].resize(altitudes * views * suns);
     parallel_for(altitudes * views,
                  [&](std::size_t ray) { fill_ray(pack, baked, static_cast<int>(ray) / views, static_cast<int>(ray) % views, *tables); });
     return tables;
@@ -107,7 +106,7 @@ std::shared_ptr<const ElekTables> filled(const TwoLookUpSky::Pack& pack, const P
 
 TwoLookUpSky::Pack pack_of(std::shared_ptr<const Tables> baked, std::size_t index) {
     const Tables::Pack& from = baked->packs()[index];
-    TwoLookUpSky::Pack pack{from.optics, from.air, from.tables.transmittance, optical_depths(from.air), {}, {}};
+    TwoLookUpSky::Pack pack{PackPhases(from.optics), from.air, from.tables.transmittance, optical_depths(from.air), {}, {}};
     const f32::Elek2009 shape = f32::elek2009(f32::Length::of(static_cast<float>(pack.air.shell.top_m)), altitudes, views, suns);
     pack.light = [shape, tables = filled(pack, from.tables)](const AirView& view) {
         const f32::Length h = f32::Length::of(static_cast<float>(view.altitude_m));

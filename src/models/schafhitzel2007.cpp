@@ -74,20 +74,19 @@ void fill_ray(const TwoLookUpSky::Pack& pack, int altitude, int view, SingleTabl
 
 std::shared_ptr<const SingleTables> filled(const TwoLookUpSky::Pack& pack) {
     auto tables = std::make_shared<SingleTables>();
-    for (std::size_t p = 0; p < pack.optics.parts.size(); ++p)
-        if (pack.optics.parts[p].scatters) (*tables)[p].resize(altitudes * views * suns);
+    for (const std::size_t p : pack.phases.parts()) (*tables)[p].resize(altitudes * views * suns);
     parallel_for(altitudes * views,
                  [&](std::size_t ray) { fill_ray(pack, static_cast<int>(ray) / views, static_cast<int>(ray) % views, *tables); });
     return tables;
 }
 
 TwoLookUpSky::Pack pack_of(const Atmosphere& atmosphere, const std::vector<Wavelength>& wavelengths) {
-    AirOptics optics = air_optics(atmosphere, wavelengths);
+    const AirOptics optics = air_optics(atmosphere, wavelengths);
     const TableSizes sizes;
     PackAir air = pack_air(optics, sizes);
     Table<f32::Spectrum, 2> transmittance = transmittance_table(air, sizes.transmittance_mu);
     std::vector<f32::Spectrum> depths = optical_depths(air);
-    TwoLookUpSky::Pack pack{std::move(optics), std::move(air), std::move(transmittance), std::move(depths), {}, {}};
+    TwoLookUpSky::Pack pack{PackPhases(optics), std::move(air), std::move(transmittance), std::move(depths), {}, {}};
     const f32::Schafhitzel2007 shape =
         f32::schafhitzel2007(f32::Length::of(static_cast<float>(pack.air.shell.bottom_m)),
                              f32::Length::of(static_cast<float>(pack.air.shell.top_m)), altitudes, views, suns);

@@ -16,13 +16,6 @@ namespace {
 
 f64::Length metres(double x) { return f64::Length::of(x); }
 
-f32::RadianceSpectrum with_phases(const AirOptics& optics, const AirLight& light, double nu) {
-    f32::RadianceSpectrum sum = light.multiple;
-    for (std::size_t p = 0; p < optics.parts.size(); ++p)
-        if (optics.parts[p].scatters) sum += light.single[p] * narrowed<f32::PhaseSpectrum>(optics.parts[p].phase.at(nu));
-    return sum;
-}
-
 // What is seen from the start less what is seen from the end.
 AirLight between(const AirLight& start, const AirLight& end, const f32::Spectrum& transmittance, int parts) {
     AirLight light;
@@ -49,7 +42,7 @@ f32::RadianceSpectrum ground(const TwoLookUpSky::Pack& pack, double mu_s) {
 
 template <class S>
 void append(const S& spectrum, const TwoLookUpSky::Pack& pack, std::vector<double>& to) {
-    for (int w = 0; w < pack.optics.wavelength_count; ++w) to.push_back(static_cast<double>(spectrum.v[w]));
+    for (int w = 0; w < pack.phases.wavelength_count(); ++w) to.push_back(static_cast<double>(spectrum.v[w]));
 }
 
 }  // namespace
@@ -153,7 +146,7 @@ Result<AerialPerspective> TwoLookUpSky::aerial_perspective(const View& view, Len
             seen = transmittance_of_piece(pack, *piece);
             AirLight all = pack.light(piece->start);
             if (!piece->whole) all = between(all, pack.light(piece->end), seen, pack.air.parts);
-            light = with_phases(pack.optics, all, piece->start.nu);
+            light = pack.phases.radiance(all, piece->start.nu);
         }
         append(seen, pack, air.transmittance);
         append(light, pack, air.inscattered_W_m2_sr_nm);
@@ -167,7 +160,7 @@ std::vector<double> TwoLookUpSky::sky_radiance(const View& view) const {
     for (const Pack& pack : packs_) {
         f32::RadianceSpectrum light = zero<f32::RadianceSpectrum>();
         if (piece) {
-            light = with_phases(pack.optics, pack.light(piece->start), piece->start.nu);
+            light = pack.phases.radiance(pack.light(piece->start), piece->start.nu);
             if (piece->start.ground) light += ground(pack, piece->end.mu_s) * transmittance_of_piece(pack, *piece);
         }
         append(light, pack, seen);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "models/model.h"
+#include "sky/pack_phases.h"
 #include "transport/ray_light.h"
 
 namespace airlight {
@@ -43,7 +44,7 @@ struct AirLight {
 class TwoLookUpSky : public PublishedSky {
 public:
     struct Pack {
-        AirOptics optics;
+        PackPhases phases;
         PackAir air;
         Table<f32::Spectrum, 2> transmittance;  // of transport, for the sun
         std::vector<f32::Spectrum> depths;      // optical_depths()

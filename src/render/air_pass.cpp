@@ -26,8 +26,8 @@ gpu::Texture texture_of(const PackedTexels& table, bool deep, int first) {
     return gpu::Texture({table.size[0], table.size[1], deep ? table.size[2] : 0}, gpu_texels(table, first));
 }
 
-gpu::Texture phases_of(const AirOptics& optics, int first) {
-    const std::vector<float> texels = gpu_phases(PackPhases(optics), first);
+gpu::Texture texture_of(const PackPhases& phases, int first) {
+    const std::vector<float> texels = gpu_phases(phases, first);
     const int row = 4 * f32::airlight_parts;
     return gpu::Texture({static_cast<int>(texels.size()) / row, f32::airlight_parts}, texels);
 }
@@ -46,17 +46,15 @@ std::array<Four, 6> colours_of(const AirOptics& optics, int first, std::span<con
 
 }  // namespace
 
-AirPass::Group AirPass::group_of(const Tables& tables, std::size_t index, int first, std::span<const Vec3> colours) {
-    const Tables::Pack& pack = tables.packs()[index];
+void AirPass::add_groups(const Tables::Pack& pack, std::span<const Vec3> colours, std::vector<Group>& groups) {
     const AirlightTables t = airlight_tables(pack, nodes_per_piece);
-    const std::array<Four, 6> block = colours_of(pack.optics, first, colours);
-    return {gpu::Buffer(airlight_block(t.air, first)),
-            gpu::Buffer(std::as_bytes(std::span(block))),
-            gpu::Texture({t.air.density_axis.texels, 2}, gpu_densities(t)),
-            texture_of(t.transmittance, false, first),
-            texture_of(t.source, true, first),
-            texture_of(t.diffuse, false, first),
-            phases_of(pack.optics, first)};
+    const PackPhases phases(pack.optics);
+    for (int first = 0; first < pack.optics.wavelength_count; first += gpu_wavelengths) {
+        const std::array<Four, 6> block = colours_of(pack.optics, first, colours);
+        groups.push_back({gpu::Buffer(airlight_block(t.air, first)), gpu::Buffer(std::as_bytes(std::span(block))),
+                          gpu::Texture({t.air.density_axis.texels, 2}, gpu_densities(t)), texture_of(t.transmittance, false, first),
+                          texture_of(t.source, true, first), texture_of(t.diffuse, false, first), texture_of(phases, first)});
+    }
 }
 
 Result<AirPass> AirPass::create(const Tables& tables, std::span<const Vec3> colours) {
@@ -66,9 +64,9 @@ Result<AirPass> AirPass::create(const Tables& tables, std::span<const Vec3> colo
     glUniformBlockBinding(made->name(), glGetUniformBlockIndex(made->name(), "AirlightBlock"), air_binding);
     std::vector<Group> groups;
     for (std::size_t p = 0; p < tables.packs().size(); ++p) {
-        const int count = tables.packs()[p].optics.wavelength_count;
-        const auto of_pack = colours.subspan(p * static_cast<std::size_t>(pack_size), static_cast<std::size_t>(count));
-        for (int first = 0; first < count; first += gpu_wavelengths) groups.push_back(group_of(tables, p, first, of_pack));
+        const Tables::Pack& pack = tables.packs()[p];
+        const auto count = static_cast<std::size_t>(pack.optics.wavelength_count);
+        add_groups(pack, colours.subspan(p * static_cast<std::size_t>(pack_size), count), groups);
     }
     return AirPass(std::move(*made), std::move(groups), tables.atmosphere().bottom_radius.in(m));
 }

@@ -36,7 +36,8 @@ private:
         void bind() const;
     };
     AirPass(gpu::Program program, std::vector<Group> groups, double bottom_m);
-    static Group group_of(const Tables& tables, std::size_t pack, int first, std::span<const Vec3> colours);
+    // Of a pack, whose `colours` are those of its wavelengths.
+    static void add_groups(const Tables::Pack& pack, std::span<const Vec3> colours, std::vector<Group>& groups);
 
     gpu::Program program_;
     std::vector<Group> groups_;

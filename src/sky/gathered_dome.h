@@ -43,9 +43,10 @@ public:
     // Fastest where directions of one zenith angle follow each other, as in a row of a picture.
     void radiances(std::span<const Direction> directions, std::span<float> radiance) const override;
 
-    // Puts the light of a ray into the cells of its view.
+    // Puts the light of a ray into the cells of its row.
     template <class Light>
-    static void put(const Light& light, const PackPhases& phases, Cell* cells) {
+    static void put(const Light& light, const PackPhases& phases, std::size_t azimuth, std::span<Cell> row) {
+        Cell* cells = &row[azimuth * (1 + phases.parts().size())];
         cells[0] = light.multiple;
         for (std::size_t i = 0; i < phases.parts().size(); ++i) {
             const auto& single = light.single[phases.parts()[i]];

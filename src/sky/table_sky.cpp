@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "core/parallel.h"
 #include "sky/gathered_dome.h"
 #include "sky/view_ray.h"
 #include "transport/ray_light.h"
@@ -118,7 +117,7 @@ Result<std::unique_ptr<SkyDome>> TableSky::dome(Length altitude, double sun_zeni
         const Tables::Pack& pack = tables_->packs()[p];
         for (std::size_t j = 0; j < row.size(); ++j)
             if (const std::optional<Ray> ray = ray_of(pack.air.shell, row[j]))
-                GatheredDome::put(light_along(pack, *ray), *phases_[p], &cells[j * (cells.size() / row.size())]);
+                GatheredDome::put(light_along(pack, *ray), *phases_[p], j, cells);
     };
     const PackAir& air = tables_->packs()[0].air;
     const DomeEye eye{air.shell, air.densities.jumps_m(), altitude, sun_zenith};
