@@ -39,4 +39,10 @@ Result<gpu::Program> program(std::string_view vertex, std::string_view fragment)
     return gpu::Program::link(std::string(vertex) + " and " + std::string(fragment), stages);
 }
 
+Result<gpu::Program> compute_program(std::string_view name) {
+    const Result<gpu::ShaderText> text = shader_text(name);
+    if (!text) return text.error();
+    return gpu::Program::compute(name, *text);
+}
+
 }  // namespace airlight::render

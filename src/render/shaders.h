@@ -15,4 +15,7 @@ Result<gpu::ShaderText> shader_text(std::string_view name);
 // A program of a vertex and a fragment shader: program("terrain.vert", "terrain.frag").
 Result<gpu::Program> program(std::string_view vertex, std::string_view fragment);
 
+// A program of a compute shader: compute_program("histogram.comp").
+Result<gpu::Program> compute_program(std::string_view name);
+
 }  // namespace airlight::render

@@ -2,10 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <vector>
 
+#include "image/adaptation.h"
 #include "image/exposure.h"
 #include "image/tone.h"
 
@@ -101,4 +104,28 @@ TEST_CASE("without light there is nothing to meter") {
     CHECK(metered_exposure(black, {}, {}).error().message().starts_with("there is no light to meter"));
     CHECK(!metered_exposure(wrong, {}, {}));
     CHECK(!metered_exposure({}, {}, {}));
+}
+
+TEST_CASE("an exposure covers all but 1 / e of its way, in stops, in its time constant: the faster one towards the bright") {
+    const Adaptation adaptation{.to_brighter_s = 0.5, .to_darker_s = 2.0};
+    for (const auto& [before, metered, constant_s] : {std::tuple{1.0, 1.0 / 64.0, 0.5}, {1.0, 64.0, 2.0}}) {
+        const double left = std::log2(metered / adapted_exposure(before, metered, constant_s, adaptation));
+        CHECK(left / std::log2(metered / before) == doctest::Approx(std::exp(-1.0)).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("adaptation: many frames do what one does, none overshoots, and at last it is there") {
+    const Adaptation adaptation;
+    for (const double metered : {1e-6, 0.9, 1e6}) {
+        const double once = adapted_exposure(1.0, metered, 1.5, adaptation);
+        for (const std::vector<double>& frames : {std::vector<double>(150, 0.01), {0.4, 0.1, 1.0}, {0.0, 1.5}}) {
+            double exposure = 1.0;
+            for (const double seconds : frames) exposure = adapted_exposure(exposure, metered, seconds, adaptation);
+            CHECK(exposure == doctest::Approx(once).epsilon(1e-12));
+        }
+        CHECK(std::min(1.0, metered) <= once);
+        CHECK(once <= std::max(1.0, metered));
+        CHECK(adapted_exposure(1.0, metered, std::numeric_limits<double>::infinity(), adaptation) ==
+              doctest::Approx(metered).epsilon(1e-12));
+    }
 }
