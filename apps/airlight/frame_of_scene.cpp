@@ -8,6 +8,7 @@
 
 #include "atmosphere/atmosphere_file.h"
 #include "atmosphere/presets.h"
+#include "render/air_exact.h"
 #include "render/frame.h"
 #include "spectrum/colour.h"
 #include "spectrum/colour_weights.h"
@@ -55,6 +56,15 @@ Result<std::optional<Tables>> tables_of(const std::optional<Atmosphere>& air, co
     return std::optional<Tables>(*std::move(tables));
 }
 
+Result<std::optional<render::AirPass>> air_pass_of(const std::optional<Tables>& tables, const WavelengthGrid& grid, const Scene& scene) {
+    if (!tables) return std::optional<render::AirPass>();
+    const std::vector<Vec3> colours = colours_of(tables->atmosphere(), grid, scene);
+    Result<render::AirPass> pass =
+        render::AirPass::create({tables->atmosphere(), tables->wavelengths(), colours}, render::exact_air(*tables, colours));
+    if (!pass) return pass.error();
+    return std::optional<render::AirPass>(*std::move(pass));
+}
+
 // Colours beyond the primaries, which a few wavelengths of a deep red sun have, are brought to their edge.
 void bring_into_gamut(Image& image) {
     const RgbConverter converter(RgbSpace::srgb, WhitePoint::d65);
@@ -94,13 +104,9 @@ Result<DrawnFrame> draw_scene(const Scene& scene, int width, int height, const T
     const WavelengthGrid grid = WavelengthGrid::standard();
     const Result<std::optional<Tables>> tables = tables_of(*air, grid, wishes);
     if (!tables) return tables.error();
-    std::optional<render::AirPass> pass;
-    if (*tables) {
-        Result<render::AirPass> made = render::AirPass::create(**tables, colours_of(**air, grid, scene));
-        if (!made) return made.error();
-        pass = *std::move(made);
-    }
-    Result<render::Frame> frame = render::Frame::create(*context, *ground, *colour, *camera, std::move(pass));
+    Result<std::optional<render::AirPass>> pass = air_pass_of(*tables, grid, scene);
+    if (!pass) return pass.error();
+    Result<render::Frame> frame = render::Frame::create(*context, *ground, *colour, *camera, *std::move(pass));
     if (!frame) return frame.error();
     Result<Image> image = frame->draw(*camera, lights_of(scene));
     if (!image) return image.error();

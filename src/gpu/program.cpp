@@ -64,6 +64,11 @@ Result<Program> Program::compute(std::string_view name, const ShaderText& text) 
 
 void Program::use() const { glUseProgram(name()); }
 
+void Program::bind_block(const char* block, unsigned binding) const {
+    const GLuint index = glGetUniformBlockIndex(name(), block);
+    if (index != GL_INVALID_INDEX) glUniformBlockBinding(name(), index, binding);
+}
+
 void Program::dispatch(unsigned x, unsigned y, unsigned z) const {
     use();
     glDispatchCompute(x, y, z);

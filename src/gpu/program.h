@@ -31,6 +31,9 @@ public:
 
     void use() const;
 
+    // Where the uniform block `block` is read from, if the text has it and names no binding itself.
+    void bind_block(const char* block, unsigned binding) const;
+
     // Runs a compute program on this many work groups, and makes what it wrote visible to what follows.
     void dispatch(unsigned x, unsigned y = 1, unsigned z = 1) const;
 

@@ -57,10 +57,11 @@ Result<Image> Frame::draw(const Camera& camera, const Lights& lights) {
         terrain_.draw(camera);
         GeometryBuffer::end();
     }
+    if (air_) air_->prepare(camera, lights.towards_sun, timers_);
     {
         const auto pass = timers_.time(air_ ? "air" : "light");
         target_.bind();
-        if (air_) air_->draw(surfaces_, camera, lights.towards_sun);
+        if (air_) air_->draw(surfaces_);
         else light_.draw(surfaces_, lights);
     }
     Image image = image_of(radiance_);

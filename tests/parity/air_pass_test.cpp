@@ -16,6 +16,7 @@
 #include "gpu/vertex_array.h"
 #include "models/airlight_tables.h"
 #include "models/model.h"
+#include "render/air_exact.h"
 #include "render/air_pass.h"
 #include "render/camera_block.h"
 #include "render/shaders.h"
@@ -68,7 +69,7 @@ void main() {
     }
 
     // Red, green, blue and 1 of each pixel, the lowest row first.
-    std::vector<float> draw(const render::AirPass& air, const Camera& camera, Vec3 towards_sun, Wall wall) const {
+    std::vector<float> draw(render::AirPass& air, const Camera& camera, Vec3 towards_sun, Wall wall) const {
         surfaces_->begin();
         if (wall.distance_m > 0.0) {
             const auto f = [](double x) { return static_cast<float>(x); };
@@ -81,8 +82,10 @@ void main() {
         }
         render::GeometryBuffer::end();
         camera_block_.bind(camera);
+        gpu::PassTimers timers;
+        air.prepare(camera, towards_sun, timers);
         target_->bind();
-        air.draw(*surfaces_, camera, towards_sun);
+        air.draw(*surfaces_);
         std::vector<float> pixels(4 * width * height);
         radiance_.read(pixels);
         return pixels;
@@ -160,7 +163,8 @@ TEST_CASE("the pass of air is within 3 % of airlight on the CPU, from the ground
     if (!gpu_case) return;
     const Truth model;
     const double bottom_m = model.bottom_m();
-    const Result<render::AirPass> air = render::AirPass::create(model.baked, colours);
+    Result<render::AirPass> air =
+        render::AirPass::create({model.atmosphere, wavelengths, colours}, render::exact_air(model.baked, colours));
     if (!air) FAIL(air.error().message());
     const Pictures pictures;
     fmt::print("  mean error, %     {:>8} {:>10} {:>10}\n", "sky", "black wall", "white wall");

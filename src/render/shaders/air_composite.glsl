@@ -1,0 +1,63 @@
+// The picture that any method of air makes: what stands above the air and what the geometry buffer holds, seen through it.
+// The text of a method stands before this one and answers (docs/decisions/0010-air-methods.md):
+//
+//   AirLight                                             light of some wavelengths, or red, green and blue
+//   struct AirSeen { AirLight inscattered, transmittance; }
+//   AirSeen air_before(vec3 direction, float distance_m)  the air between the eye and a surface
+//   AirSeen air_beyond(vec3 direction)                    the whole ray; where the ground sphere ends it, with the light of that ground,
+//                                                        and nothing is seen through
+//   AirLight air_sunlight(float h, float mu_s)            irradiance of a surface at an altitude that faces the sun
+//   AirLight air_skylight(float mu_s)                     irradiance of level ground by the whole sky but the sun
+//   vec3 colour_of(AirLight light)                        red, green and blue
+//   vec3 colour_through(vec3 colour, AirLight seen)       what is left of light of a colour and the sun's spectrum
+//
+// Where a method draws several times, each with a share of the wavelengths, its pictures add up.
+#include "camera.glsl"
+#include "octahedral.glsl"
+#include "surface_light.glsl"
+layout(binding = 0) uniform sampler2D depth_buffer;
+layout(binding = 1) uniform sampler2D colour_buffer;
+layout(binding = 2) uniform sampler2D normal_buffer;
+layout(binding = 3) uniform sampler2D material_buffer;
+layout(location = 0) in vec2 place;
+layout(location = 0) out vec4 radiance;
+
+// The sun's disk above the air, averaged over a pixel of `width` radians.
+vec3 sun_disk(vec3 direction, float width) {
+    float angle = angle_between(direction, towards_sun.xyz), radius = towards_sun.w;
+    float covered = radius > 0.0 ? clamp((radius - angle) / width + 0.5, 0.0, 1.0) * min(1.0, pi * radius * radius / (width * width)) : 0.0;
+    if (covered <= 0.0) return vec3(0.0);
+    float s = min(angle / radius, 1.0), dark = 1.0 - sqrt(1.0 - s * s);
+    vec3 shape = 1.0 - limb_darkening[0].rgb * dark - limb_darkening[1].rgb * (dark * dark);
+    vec3 mean = 1.0 - limb_darkening[0].rgb / 3.0 - limb_darkening[1].rgb / 6.0;
+    return colour_of_sun.rgb * shape / mean * (covered / (pi * radius * radius));
+}
+
+// What a surface sends to the eye through the air.
+vec3 surface_seen(ivec2 pixel, vec3 position, vec3 reflectance, AirLight seen) {
+    dvec3 from_centre = camera_eye_m.xyz + dvec3(position);
+    float h = max(float(length(from_centre) - double(air_shell.x)), 0.0);
+    vec3 up = normalize(vec3(from_centre));
+    vec3 n = from_octahedral(texelFetch(normal_buffer, pixel, 0).rg);
+    SurfaceLight light =
+        surface_light(reflectance, texelFetch(material_buffer, pixel, 0).rg, n, up, -normalize(position), towards_sun.xyz);
+    float mu_s = clamp(dot(up, towards_sun.xyz), -1.0, 1.0);
+    return light.of_sun * colour_of(seen * air_sunlight(h, mu_s)) + light.of_sky * colour_of(seen * air_skylight(mu_s));
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 direction = normalize(view_ray(place));
+    float width = length(dFdx(direction));
+    vec4 colour = texelFetch(colour_buffer, pixel, 0);
+    vec3 sum;
+    if (colour.a > 0.0) {
+        vec3 position = position_at(place, texelFetch(depth_buffer, pixel, 0).r);
+        AirSeen seen = air_before(direction, length(position));
+        sum = colour_of(seen.inscattered) + surface_seen(pixel, position, colour.rgb, seen.transmittance);
+    } else {
+        AirSeen seen = air_beyond(direction);
+        sum = colour_of(seen.inscattered) + colour_through(sun_disk(direction, width), seen.transmittance);
+    }
+    radiance = vec4(sum, 1.0);
+}
