@@ -101,6 +101,13 @@ Result<Context> Context::create() {
     return context;
 }
 
+Result<Context> Context::of_window() {
+    if (epoxy_gl_version() < 45) return no_opengl("the window's driver does not offer OpenGL 4.5 core.");
+    Context context(nullptr, nullptr, std::make_unique<Reports>());
+    if (const Result<Done> enough = check_limits(needed); !enough) return enough.error();
+    return context;
+}
+
 Context::Context(void* display, void* context, std::unique_ptr<Reports> reports)
     : display_(display), context_(context), reports_(std::move(reports)) {
     glEnable(GL_DEBUG_OUTPUT);
@@ -121,8 +128,9 @@ Context& Context::operator=(Context&& other) noexcept {
 }
 
 Context::~Context() {
-    if (!context_) return;
+    if (!reports_) return;
     glDebugMessageCallback(nullptr, nullptr);
+    if (!context_) return;
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(display_, context_);
     eglTerminate(display_);

@@ -18,6 +18,10 @@ public:
     // What the driver reports as an error or as a performance warning is printed on stderr with its number.
     static Result<Context> create();
 
+    // The context that is current on this thread, made by another library for a window, which keeps it and outlives this. Fails, with one
+    // reason, if it is not OpenGL 4.5 core, or a limit of the driver is too low. What the driver reports is printed as above.
+    static Result<Context> of_window();
+
     Context(Context&& other) noexcept;
     Context& operator=(Context&& other) noexcept;
     ~Context();
@@ -34,7 +38,7 @@ private:
     Context(void* display, void* context, std::unique_ptr<Reports> reports);
 
     void* display_;
-    void* context_;
+    void* context_;                     // null: a window's
     std::unique_ptr<Reports> reports_;  // the driver keeps its address
 };
 

@@ -72,12 +72,15 @@ void take(png_structp png, png_bytep out, std::size_t count) {
 
 // Below, no object with a destructor is made between setjmp() and the last call of libpng: longjmp() would skip it.
 
-bool encode(png_structp png, png_infop info, Failure& failure, const Image& size, int bits, std::span<const std::uint8_t> stored,
-            std::string& file) {
+struct Size {
+    int width, height, channels, bits;
+};
+
+bool encode(png_structp png, png_infop info, Failure& failure, const Size& size, std::span<const std::uint8_t> stored, std::string& file) {
     if (setjmp(failure.way_back) != 0) return false;
     png_set_write_fn(png, &file, append, no_flush);
     png_set_compression_level(png, 1);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(size.width), static_cast<png_uint_32>(size.height), bits,
+    png_set_IHDR(png, info, static_cast<png_uint_32>(size.width), static_cast<png_uint_32>(size.height), size.bits,
                  size.channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
@@ -132,6 +135,16 @@ Error unreadable(const std::filesystem::path& path, const Failure& failure) {
     return {path.string(), fmt::format("is not a readable PNG image: {}", failure.message), "Check that it is one, and complete."};
 }
 
+// The file of rows of levels.
+Result<std::string> encoded(const Size& size, std::span<const std::uint8_t> stored) {
+    std::string file;
+    Failure failure;
+    const Writer writer(failure);
+    if (!encode(writer.png, writer.info, failure, size, stored, file))
+        return Error{"", fmt::format("cannot be written as PNG: {}", failure.message), ""};
+    return file;
+}
+
 }  // namespace
 
 Result<std::string> png_bytes(const Image& display, PngBits bits) {
@@ -140,17 +153,19 @@ Result<std::string> png_bytes(const Image& display, PngBits bits) {
         display.channels == 3 ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"grey"};
     const Result<Done> checked = check_values(display, names, 0.0f, 1.0f, "a display value lies between 0 and 1");
     if (!checked) return checked.error();
-    const std::vector<std::uint8_t> stored = stored_levels(display, bits);
-    std::string file;
-    Failure failure;
-    const Writer writer(failure);
-    if (!encode(writer.png, writer.info, failure, display, static_cast<int>(bits), stored, file))
-        return Error{"", fmt::format("cannot be written as PNG: {}", failure.message), ""};
-    return file;
+    return encoded({display.width, display.height, display.channels, static_cast<int>(bits)}, stored_levels(display, bits));
 }
 
 Result<Done> write_png(const std::filesystem::path& path, const Image& display, PngBits bits) {
     const Result<std::string> file = png_bytes(display, bits);
+    if (!file) return at(path.string(), file.error());
+    return write_file(path, *file);
+}
+
+Result<Done> write_png(const std::filesystem::path& path, const PngLevels& shown) {
+    assert(shown.bits == 8 && (shown.channels == 1 || shown.channels == 3));
+    const std::vector<std::uint8_t> stored(shown.levels.begin(), shown.levels.end());
+    const Result<std::string> file = encoded({shown.width, shown.height, shown.channels, shown.bits}, stored);
     if (!file) return at(path.string(), file.error());
     return write_file(path, *file);
 }

@@ -30,6 +30,10 @@ struct PngLevels {
     std::vector<std::uint16_t> levels;
 };
 
+// Writes levels of 8 bits as they are, grey or R, G, B, marked as sRGB: what a display shows already.
+// Fails, naming the path, if it cannot be written.
+Result<Done> write_png(const std::filesystem::path& path, const PngLevels& shown);
+
 // Fails, naming the path, if it is no PNG file, is damaged or is larger than images may be.
 Result<PngLevels> read_png(const std::filesystem::path& path);
 

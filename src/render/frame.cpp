@@ -49,6 +49,11 @@ Frame::Frame(const gpu::Context& context, TerrainPass terrain, LightPass light, 
       target_(std::move(target)) {}
 
 Result<Image> Frame::draw(const Camera& camera, const Lights& lights) {
+    if (const Result<Done> drawn = render(camera, lights); !drawn) return drawn.error();
+    return image_of(radiance_);
+}
+
+Result<Done> Frame::render(const Camera& camera, const Lights& lights) {
     assert(camera.width == radiance_.size().width && camera.height == radiance_.size().height);
     camera_.bind(camera);
     {
@@ -64,10 +69,8 @@ Result<Image> Frame::draw(const Camera& camera, const Lights& lights) {
         if (air_) air_->draw(surfaces_);
         else light_.draw(surfaces_, lights);
     }
-    Image image = image_of(radiance_);
     times_ = timers_.read();
-    if (const Result<Done> there = context_->check(); !there) return there.error();
-    return image;
+    return context_->check();
 }
 
 }  // namespace airlight::render

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "gpu/context.h"
 #include "gpu/pass_timers.h"
@@ -24,6 +25,13 @@ public:
     // of the lights a steradian, black where there is nothing. The camera has the size that the frame was made for. Fails if the GPU was
     // reset.
     Result<Image> draw(const Camera& camera, const Lights& lights);
+
+    // The same, left on the GPU: radiance() has it, its lowest row first. Waits for the GPU.
+    Result<Done> render(const Camera& camera, const Lights& lights);
+    const gpu::Texture& radiance() const { return radiance_; }
+
+    // The next pictures have this air; the one of before comes back.
+    std::optional<AirPass> exchange_air(std::optional<AirPass> air) { return std::exchange(air_, std::move(air)); }
 
     // Of the last picture.
     const std::vector<gpu::PassTime>& times() const { return times_; }

@@ -170,6 +170,19 @@ TEST_CASE("a level written to PNG reads back to the same level, black and white 
     }
 }
 
+TEST_CASE("levels that a display shows come back from their PNG file as they were") {
+    const TemporaryFolder folder;
+    PngLevels shown{7, 3, 3, 8, {}};
+    for (int i = 0; i < 7 * 3 * 3; ++i) shown.levels.push_back(static_cast<std::uint16_t>(37 * i % 256));
+    REQUIRE(write_png(folder.path / "shown.png", shown));
+    const Result<PngLevels> read = read_png(folder.path / "shown.png");
+    REQUIRE(read);
+    CHECK(read->width == 7);
+    CHECK(read->height == 3);
+    CHECK(read->levels == shown.levels);
+    CHECK(!write_png(folder.path / "absent/shown.png", shown));
+}
+
 TEST_CASE("a smooth gradient has no bands: over blocks of 16 x 16 pixels the mean level is right to 0.1") {
     const TemporaryFolder folder;
     Image image(512, 256, 3);

@@ -224,7 +224,7 @@ TEST_CASE("bloom leaves an even picture even, of any size") {
 }
 
 // The pyramid's last step spreads over 2^5 pixels each way here: no edge is near.
-TEST_CASE("bloom moves light, and neither adds nor loses any; it falls with the square of the distance") {
+TEST_CASE("bloom moves light, and neither adds nor loses any, and it falls with the square of the distance") {
     const GpuCase gpu_case;
     if (!gpu_case) return;
     constexpr int side = 256;

@@ -1,0 +1,81 @@
+#include "scene_air.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "atmosphere/atmosphere_file.h"
+#include "atmosphere/presets.h"
+#include "render/air_exact.h"
+#include "spectrum/colour.h"
+#include "spectrum/colour_weights.h"
+#include "spectrum/solar.h"
+
+namespace airlight::cli {
+
+namespace {
+
+std::vector<Wavelength> wavelengths() {
+    const WavelengthGrid grid = WavelengthGrid::standard();
+    return {grid.begin(), grid.end()};
+}
+
+// In cd m-2 of the primaries of sRGB, under the sun of the scene.
+std::vector<Vec3> colours_of(const Atmosphere& air, const Scene& scene) {
+    const RgbConverter converter(RgbSpace::srgb, WhitePoint::d65);
+    const ColourWeights weights(WavelengthGrid::standard(), air.sun.irradiance);
+    std::vector<Vec3> colours;
+    for (const Xyz& weight : weights.weights()) {
+        const Rgb rgb = converter.to_rgb(weight);
+        colours.push_back(Vec3(rgb.r, rgb.g, rgb.b) / (scene.sun.distance_au * scene.sun.distance_au));
+    }
+    return colours;
+}
+
+}  // namespace
+
+render::Lights lights_of(const Scene& scene) {
+    const RgbConverter converter(RgbSpace::srgb, WhitePoint::d65);
+    const Rgb sun = converter.into_gamut(converter.to_rgb(to_xyz(solar_irradiance(scene.sun.distance_au))));
+    return {.towards_sun = towards_sun(scene), .sun = {sun.r, sun.g, sun.b}, .sky = Vec3(0.0)};
+}
+
+Result<std::optional<Atmosphere>> air_of(const Scene& scene) {
+    if (scene.atmosphere == "none") return std::optional<Atmosphere>();
+    const std::vector<std::string_view> presets = preset_names();
+    const bool is_preset = std::find(presets.begin(), presets.end(), scene.atmosphere) != presets.end();
+    const std::filesystem::path beside = std::filesystem::path(scene.file).parent_path() / scene.atmosphere;
+    Result<Atmosphere> air = atmosphere_named(is_preset || !std::filesystem::exists(beside) ? scene.atmosphere : beside.string());
+    if (!air) return at(scene.file + ": atmosphere", air.error());
+    air->bottom_radius = scene.ground.radius_m * m;
+    return std::optional<Atmosphere>(*std::move(air));
+}
+
+Result<std::optional<Tables>> tables_of(const std::optional<Atmosphere>& air, const TableWishes& wishes) {
+    if (!air) return std::optional<Tables>();
+    Result<Tables> tables = cached_tables(*air, wavelengths(), wishes.bake, wishes.cache, wishes.progress);
+    if (!tables) return tables.error();
+    return std::optional<Tables>(*std::move(tables));
+}
+
+Result<std::optional<render::AirPass>> air_pass_of(const std::optional<Tables>& tables, const Scene& scene) {
+    if (!tables) return std::optional<render::AirPass>();
+    const std::vector<Vec3> colours = colours_of(tables->atmosphere(), scene);
+    Result<render::AirPass> pass =
+        render::AirPass::create({tables->atmosphere(), tables->wavelengths(), colours}, render::exact_air(*tables, colours));
+    if (!pass) return pass.error();
+    return std::optional<render::AirPass>(*std::move(pass));
+}
+
+void bring_into_gamut(Image& image) {
+    const RgbConverter converter(RgbSpace::srgb, WhitePoint::d65);
+    for (int row = 0; row < image.height; ++row)
+        for (int column = 0; column < image.width; ++column) {
+            const std::span<float> pixel = image.pixel(column, row);
+            const Rgb rgb = converter.into_gamut({pixel[0], pixel[1], pixel[2]});
+            pixel[0] = static_cast<float>(std::max(rgb.r, 0.0));
+            pixel[1] = static_cast<float>(std::max(rgb.g, 0.0));
+            pixel[2] = static_cast<float>(std::max(rgb.b, 0.0));
+        }
+}
+
+}  // namespace airlight::cli

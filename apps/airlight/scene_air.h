@@ -1,0 +1,28 @@
+// The light of a scene, for its frames: the sun above the air, the air's tables, the pass that draws it.
+#pragma once
+
+#include <optional>
+
+#include "frame_of_scene.h"
+#include "render/air_pass.h"
+#include "render/light_pass.h"
+#include "transport/tables.h"
+
+namespace airlight::cli {
+
+// What the sun shines with above the air, in lux of the primaries of sRGB.
+render::Lights lights_of(const Scene& scene);
+
+// The air of a scene on the scene's planet; none if it has none.
+Result<std::optional<Atmosphere>> air_of(const Scene& scene);
+
+// Baked, or loaded, for the wavelengths of a picture.
+Result<std::optional<Tables>> tables_of(const std::optional<Atmosphere>& air, const TableWishes& wishes);
+
+// Its pictures are in cd m-2 of the primaries of sRGB. An OpenGL context is current.
+Result<std::optional<render::AirPass>> air_pass_of(const std::optional<Tables>& tables, const Scene& scene);
+
+// Colours beyond the primaries, which a few wavelengths of a deep red sun have, are brought to their edge.
+void bring_into_gamut(Image& image);
+
+}  // namespace airlight::cli
