@@ -32,6 +32,8 @@ struct Viewpoint {
     double altitude_m = 2.0;
     double heading = 0.0;
     double pitch = 0.0;  // above the horizontal
+
+    friend bool operator==(const Viewpoint&, const Viewpoint&) = default;
 };
 Camera look(const Viewpoint& place, double radius_m);
 

@@ -18,12 +18,16 @@ struct GroundScene {
     double radius_m = 6'371'000.0;
     bool sea = true;  // what lies below 0 m is under water
     std::uint32_t seed = 1;
+
+    friend bool operator==(const GroundScene&, const GroundScene&) = default;
 };
 
 struct CameraScene {
     Viewpoint viewpoint;        // its altitude is above 0 m
     bool above_ground = false;  // then above the ground, or the sea, instead
     double vertical_field_of_view = 60.0 * deg;
+
+    friend bool operator==(const CameraScene&, const CameraScene&) = default;
 };
 
 // As seen from the camera's place.
@@ -31,6 +35,8 @@ struct SunScene {
     double zenith = 45.0 * deg;
     double azimuth = 180.0 * deg;
     double distance_au = 1.0;
+
+    friend bool operator==(const SunScene&, const SunScene&) = default;
 };
 
 struct Scene {

@@ -1,0 +1,232 @@
+// The viewer without its window: flight, the sun, files that change.
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "core/files.h"
+#include "terrain/cube_sphere.h"
+#include "terrain/procedural_relief.h"
+#include "tools/temporary_folder.h"
+#include "viewer/file_watch.h"
+#include "viewer/flight.h"
+#include "viewer/session.h"
+
+using namespace airlight;
+using namespace airlight::test;
+using namespace airlight::viewer;
+
+namespace {
+
+constexpr const char* toml =
+    "atmosphere = \"earth-clear\"\n[camera]\nlatitude = \"46 deg\"\nlongitude = \"8 deg\"\naltitude = \"20 km\"\nheading = \"120 deg\"\n";
+
+// A sphere without features, as the sea would be.
+HeightField smooth() {
+    return {.radius_m = 6.371e6,
+            .sample = [](Vec3, double) { return HeightSample{}; },
+            .range = [](const Cap&) { return Interval{}; },
+            .detail = [](double) { return 0.0; },
+            .whole = {}};
+}
+
+Scene scene_of(const std::string& text) {
+    const Result<Scene> scene = parse_scene(text, "scene.toml");
+    if (!scene) FAIL(scene.error().message());
+    return *scene;
+}
+
+Vec3 forward(const Viewpoint& eye) { return look(eye, 1.0).forward; }
+
+}  // namespace
+
+TEST_CASE("an eye that falls loses the same share of its height each second, from 20 000 km to a person's height") {
+    const HeightField ground = smooth();
+    Viewpoint eye{.latitude = 0.8, .longitude = 0.1, .altitude_m = 2e7, .pitch = -0.5 * pi};
+    const double seconds = 2.0;
+    for (int i = 0; i < 7; ++i) {
+        const double before = eye.altitude_m;
+        eye = flown(eye, {.forward = 1.0}, 0.5, seconds, ground);
+        CHECK(eye.altitude_m == doctest::Approx(before * std::exp(-0.5 * seconds)).epsilon(2e-3));
+    }
+    eye = flown(eye, {.forward = 1.0}, 0.5, 60.0, ground);
+    CHECK(eye.altitude_m == lowest_eye_m);
+    CHECK(eye.latitude == doctest::Approx(0.8));
+}
+
+TEST_CASE("what is flown does not depend on the rate of frames") {
+    const HeightField ground = smooth();
+    const Viewpoint start{.latitude = 0.8, .longitude = 0.1, .altitude_m = 5e4, .heading = 1.0, .pitch = -0.2};
+    const Steering steering{.forward = 1.0, .right = 0.4, .up = -0.1};
+    const Viewpoint once = flown(start, steering, 0.7, 3.0, ground);
+    for (const int frames : {7, 180, 1000}) {
+        Viewpoint eye = start;
+        for (int i = 0; i < frames; ++i) eye = flown(eye, steering, 0.7, 3.0 / frames, ground);
+        CHECK(eye.altitude_m == doctest::Approx(once.altitude_m).epsilon(1e-3));
+        CHECK(angle_between(direction_of(eye.latitude, eye.longitude), direction_of(once.latitude, once.longitude)) * 6.371e6 < 1e-3 * 5e4);
+    }
+}
+
+TEST_CASE("an eye that looks level flies along a great circle, over the pole as well, and around the planet to where it was") {
+    const HeightField ground = smooth();
+    const double height = 1e6;
+    // North along a meridian; and a circle that passes within a degree of the pole.
+    for (const double heading : {0.0, 1.3 * deg}) {
+        const Viewpoint start{.latitude = 0.7, .longitude = 0.3, .altitude_m = height, .heading = heading};
+        const Vec3 pole = glm::cross(direction_of(0.7, 0.3), forward(start));
+        Viewpoint eye = start;
+        // Sunk as fast as a straight way rises, so that the height stays.
+        double farthest = 0.0, way = 0.0;
+        while (way < 2.0 * pi) {
+            const Vec3 before = direction_of(eye.latitude, eye.longitude);
+            eye = flown(eye, {.forward = 1.0}, 0.5, 0.02, ground);
+            eye.altitude_m = height;
+            const Vec3 here = direction_of(eye.latitude, eye.longitude);
+            way += angle_between(before, here);
+            farthest = std::max(farthest, std::abs(glm::dot(here, pole)));
+        }
+        CHECK(farthest < 1e-9);
+        CHECK(angle_between(direction_of(eye.latitude, eye.longitude), direction_of(0.7, 0.3)) < 0.01);
+        CHECK(eye.pitch == 0.0);
+        CHECK(angle_between(forward(eye), forward(start)) < 0.01);
+    }
+}
+
+TEST_CASE("no flight leads into the ground or the sea") {
+    const HeightField ground = procedural_height({});
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> any(-1.0, 1.0);
+    for (int flight = 0; flight < 20; ++flight) {
+        Viewpoint eye = above_ground({.latitude = 1.5 * any(random), .longitude = pi * any(random), .altitude_m = -1e4}, ground);
+        CHECK(height_m(eye, ground) == doctest::Approx(lowest_eye_m).epsilon(1e-6));
+        for (int frame = 0; frame < 20; ++frame) {
+            eye = turned(eye, any(random), any(random));
+            eye = flown(eye, {any(random), any(random), any(random) - 0.5}, 2.0, 0.05, ground);
+            CHECK(height_m(eye, ground) >= lowest_eye_m - 1e-6);
+            CHECK(eye.altitude_m >= lowest_eye_m - 1e-6);  // the sea
+        }
+    }
+}
+
+TEST_CASE("an eye without steering stays, to the bit; a turn ends straight up and straight down") {
+    const Viewpoint eye{.latitude = 0.1, .longitude = 0.2, .altitude_m = 10.0, .heading = 3.0, .pitch = 0.1};
+    CHECK(flown(eye, {}, 0.5, 10.0, smooth()) == eye);
+    CHECK(turned(eye, 0.0, 9.0).pitch == 0.5 * pi);
+    CHECK(turned(eye, 0.0, -9.0).pitch == -0.5 * pi);
+    CHECK(std::abs(turned(eye, 2.0, 0.0).heading - (5.0 - 2.0 * pi)) < 1e-12);
+    // Straight down, forward is down and the heading is kept.
+    const Viewpoint down = flown(turned(eye, 0.0, -9.0), {.forward = 1.0}, 0.5, 0.5, smooth());
+    CHECK(down.altitude_m < 10.0);
+    CHECK(down.heading == doctest::Approx(3.0).epsilon(1e-6));
+}
+
+TEST_CASE("a session begins as its file says: the eye, the sun and the air") {
+    const HeightField ground = smooth();
+    const Scene scene = scene_of(std::string(toml) + "field_of_view = \"40 deg\"\n[sun]\nzenith = \"70 deg\"\nazimuth = \"250 deg\"\n");
+    const Result<Session> session = session_of(scene, ground);
+    REQUIRE(session);
+    CHECK(glm::length(camera_of(*session, 64, 36).eye - airlight::camera_of(scene, ground, 64, 36)->eye) < 1e-6);
+    CHECK(glm::length(camera_of(*session, 64, 36).forward - airlight::camera_of(scene, ground, 64, 36)->forward) < 1e-12);
+    CHECK(camera_of(*session, 64, 36).vertical_field_of_view == doctest::Approx(40.0 * deg));
+    CHECK(sun_angles(*session).zenith == doctest::Approx(70.0 * deg));
+    CHECK(sun_angles(*session).azimuth == doctest::Approx(-110.0 * deg));
+    CHECK(session->atmosphere == "earth-clear");
+    CHECK(!session_of(scene_of("[camera]\nlatitude = \"0 deg\"\nlongitude = \"0 deg\"\naltitude = \"-5 m\"\n"), ground));
+}
+
+TEST_CASE("the sun stands in the world: an eye that flies a quarter around the planet sees it elsewhere") {
+    Session session = *session_of(scene_of(toml), smooth());
+    session.eye.latitude = 0.0, session.eye.longitude = 0.0;
+    place_sun(session, {30.0 * deg, 90.0 * deg});  // east
+    CHECK(sun_angles(session).zenith == doctest::Approx(30.0 * deg));
+    session.eye.longitude = 90.0 * deg;
+    CHECK(sun_angles(session).zenith == doctest::Approx(60.0 * deg));
+    CHECK(sun_angles(session).azimuth == doctest::Approx(-90.0 * deg));
+}
+
+TEST_CASE("twelve hours turn the sun around the axis of the planet; at noon of the equinox it stands over the equator") {
+    Session session = *session_of(scene_of(toml), smooth());
+    set_time(session, *parse_utc("2024-03-20T12:00:00Z"));
+    CHECK(angle_between(session.towards_sun, direction_of(0.0, 0.0)) < 2.5 * deg);
+    const Vec3 noon = session.towards_sun;
+    session.eye.longitude = -2.0;  // wherever the eye is, but for parallax
+    set_time(session, *parse_utc("2024-03-20T12:00:00Z"));
+    CHECK(angle_between(session.towards_sun, noon) < 0.01 * deg);
+    set_time(session, *parse_utc("2024-03-21T00:00:00Z"));
+    CHECK(angle_between(session.towards_sun, Vec3(-noon.x, -noon.y, noon.z)) < 0.3 * deg);
+    CHECK(session.time == *parse_utc("2024-03-21T00:00:00Z"));
+    place_sun(session, {1.0, 1.0});
+    CHECK(!session.time);
+}
+
+TEST_CASE("a file that is written anew changes what it says otherwise, and leaves what the user did") {
+    const HeightField ground = smooth();
+    Session session = *session_of(scene_of(toml), ground);
+    session.eye.altitude_m = 5.0;
+    session.look.ev100 = 9.0;
+    place_sun(session, {20.0 * deg, 0.0});
+    const std::string other_air = std::string(toml).replace(0, std::string("atmosphere = \"earth-clear\"").size(), "atmosphere = \"mars\"");
+    const Session air = *reloaded(session, scene_of(other_air), ground);
+    CHECK(air.atmosphere == "mars");
+    CHECK(air.eye == session.eye);
+    CHECK(air.towards_sun == session.towards_sun);
+    const Session sun = *reloaded(session, scene_of(std::string(toml) + "[sun]\nzenith = \"80 deg\"\n"), ground);
+    CHECK(sun_angles(sun).zenith == doctest::Approx(80.0 * deg));
+    CHECK(sun.eye == session.eye);
+    const Session eye = *reloaded(session, scene_of(std::string(toml) + "pitch = \"3 deg\"\n"), ground);
+    CHECK(eye.eye.altitude_m == doctest::Approx(20e3));
+    CHECK(eye.towards_sun == session.towards_sun);
+    CHECK(eye.look == session.look);
+    const std::string buried = std::string(toml).replace(std::string(toml).find("20 km"), 5, "-9 km");
+    CHECK(!reloaded(session, scene_of(buried), ground));
+}
+
+TEST_CASE("each preset puts the eye at its height and the sun where it says, whatever the place") {
+    const HeightField ground = procedural_height({});
+    Session session = *session_of(scene_of(toml), ground);
+    for (const Preset& preset : presets()) {
+        go_to(session, preset, ground);
+        CAPTURE(preset.name);
+        CHECK(height_m(session.eye, ground) == doctest::Approx(preset.height_m).epsilon(1e-6));
+        CHECK(sun_angles(session).zenith == doctest::Approx(preset.sun_zenith));
+        CHECK(std::abs(std::remainder(sun_angles(session).azimuth - session.eye.heading - preset.sun_from_view, 2.0 * pi)) < 1e-9);
+    }
+}
+
+TEST_CASE("the scroll wheel makes the flight faster and slower, back to what it was, within bounds") {
+    Session session = *session_of(scene_of(toml), smooth());
+    const double before = session.flown_per_s;
+    change_speed(session, 2.0);
+    CHECK(session.flown_per_s > before);
+    change_speed(session, -2.0);
+    CHECK(session.flown_per_s == doctest::Approx(before));
+    change_speed(session, 1e6);
+    CHECK(session.flown_per_s <= 10.0);
+    change_speed(session, -1e6);
+    CHECK(session.flown_per_s > 0.0);
+}
+
+TEST_CASE("a watch tells once of each file that was written, came or went, also in folders below") {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder.path / "shaders/below");
+    REQUIRE(write_file(folder.path / "scene.toml", std::string_view("a")));
+    REQUIRE(write_file(folder.path / "shaders/below/a.glsl", std::string_view("a")));
+    FileWatch watch({folder.path / "scene.toml", folder.path / "shaders"});
+    CHECK(!watch.changed());
+    REQUIRE(write_file(folder.path / "scene.toml", std::string_view("abc")));
+    CHECK(watch.changed());
+    CHECK(!watch.changed());
+    // The same length: the time tells.
+    REQUIRE(write_file(folder.path / "shaders/below/a.glsl", std::string_view("b")));
+    std::filesystem::last_write_time(folder.path / "shaders/below/a.glsl",
+                                     std::filesystem::file_time_type::clock::now() + std::chrono::seconds(2));
+    CHECK(watch.changed());
+    REQUIRE(write_file(folder.path / "shaders/new.glsl", std::string_view("b")));
+    CHECK(watch.changed());
+    std::filesystem::remove(folder.path / "scene.toml");
+    CHECK(watch.changed());
+    CHECK(!watch.changed());
+}
