@@ -54,3 +54,17 @@ FN Number cosine_at(Length h, Number mu, Length t, Length h_t, Length bottom) {
 FN Number sun_cosine_at(Length h, Number mu_s, Number nu, Length t, Length h_t, Length bottom) {
     return clamp(((bottom + h) * mu_s + t * nu) / (bottom + h_t), Number(-1.0), Number(1.0));
 }
+
+// The part of a uniform disk that stands above a straight horizon; x is the height of its centre in units of its radius.
+FN Number disk_above(Number x) {
+    Number c = clamp(x, Number(-1.0), Number(1.0));
+    return 0.5 + (c * sqrt(1.0 - c * c) + asin(c)) / pi;
+}
+
+// The part of the sun's disk, of an angular radius, that stands above the horizon of altitude h.
+FN Number sun_above_horizon(Length h, Number mu_s, Length bottom, Number sun_radius) {
+    Number horizon = horizon_cosine(h, bottom);
+    Number sine = sqrt(max(1.0 - horizon * horizon, Number(1e-6)));
+    Number above = (mu_s - horizon) / sine;  // the height of the sun's centre above the horizon, in radians
+    return sun_radius > 0.0 ? disk_above(above / sun_radius) : (above >= 0.0 ? Number(1.0) : Number(0.0));
+}

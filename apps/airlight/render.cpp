@@ -26,6 +26,7 @@ struct RenderOptions {
     std::vector<std::string> outputs;
     int width = 1280;
     int height = 720;
+    std::string air;
     std::string exposure = "auto";
     std::string tone = "filmic";
     std::string sizes = table_sizes_text({});
@@ -61,8 +62,13 @@ Result<Done> check_output(const std::string& path) {
 }
 
 Result<Wishes> wishes_of(const RenderOptions& given) {
-    const Result<Scene> scene = read_scene(given.scene);
+    Result<Scene> scene = read_scene(given.scene);
     if (!scene) return scene.error();
+    if (!given.air.empty()) {
+        const std::optional<AirMethodName> method = air_method_named(given.air);
+        if (!method) return Error{"--air", fmt::format("\"{}\" is none of: {}", given.air, air_method_names), ""};
+        scene->air.method = *method;
+    }
     if (given.width < 1 || given.height < 1 || given.width > 16384 || given.height > 16384)
         return Error{"--width, --height", fmt::format("{} x {} is out of range: each must be from 1 to 16384", given.width, given.height),
                      ""};
@@ -131,6 +137,8 @@ Command render_command(CLI::App& airlight) {
         ->required();
     render->add_option("--width", given->width, "of the picture, in pixels")->option_text("<n>")->capture_default_str();
     render->add_option("--height", given->height, "of the picture, in pixels")->option_text("<n>")->capture_default_str();
+    render->add_option("--air", given->air, "how the light of the air is computed: airlight or exact (default: what the scene says)")
+        ->option_text("<method>");
     render->add_option("--exposure", given->exposure, "of PNG files: auto, or an exposure value at ISO 100 (15: a sunny day)")
         ->option_text("<auto|EV>")
         ->capture_default_str();

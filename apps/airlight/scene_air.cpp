@@ -5,6 +5,7 @@
 
 #include "atmosphere/atmosphere_file.h"
 #include "atmosphere/presets.h"
+#include "render/air_airlight.h"
 #include "render/air_exact.h"
 #include "spectrum/colour.h"
 #include "spectrum/colour_weights.h"
@@ -29,6 +30,11 @@ std::vector<Vec3> colours_of(const Atmosphere& air, const Scene& scene) {
         colours.push_back(Vec3(rgb.r, rgb.g, rgb.b) / (scene.sun.distance_au * scene.sun.distance_au));
     }
     return colours;
+}
+
+Result<std::unique_ptr<render::AirMethod>> method_of(const Tables& tables, std::span<const Vec3> colours, AirMethodName name) {
+    if (name == AirMethodName::exact) return render::exact_air(tables, colours);
+    return render::airlight_air(tables, colours);
 }
 
 }  // namespace
@@ -60,8 +66,9 @@ Result<std::optional<Tables>> tables_of(const std::optional<Atmosphere>& air, co
 Result<std::optional<render::AirPass>> air_pass_of(const std::optional<Tables>& tables, const Scene& scene) {
     if (!tables) return std::optional<render::AirPass>();
     const std::vector<Vec3> colours = colours_of(tables->atmosphere(), scene);
-    Result<render::AirPass> pass =
-        render::AirPass::create({tables->atmosphere(), tables->wavelengths(), colours}, render::exact_air(*tables, colours));
+    Result<std::unique_ptr<render::AirMethod>> method = method_of(*tables, colours, scene.air.method);
+    if (!method) return method.error();
+    Result<render::AirPass> pass = render::AirPass::create({tables->atmosphere(), tables->wavelengths(), colours}, *std::move(method));
     if (!pass) return pass.error();
     return std::optional<render::AirPass>(*std::move(pass));
 }

@@ -52,30 +52,29 @@ FN AirlightDensities airlight_densities(WITH_AIRLIGHT_AIR IN(TABLE_2D(Spectrum))
     return at;
 }
 
-FN Spectrum airlight_transmittance(WITH_AIRLIGHT_AIR IN(AirlightColumns) columns) {
+FN Spectrum airlight_depth(WITH_AIRLIGHT_AIR IN(AirlightColumns) columns) {
     Spectrum depth = air.extinction[0] * columns.of[0];
     for (int p = 1; p < airlight_parts; ++p)
         if (p < air.parts) depth = depth + air.extinction[p] * columns.of[p];
-    return exp(-depth);
+    return depth;
+}
+FN Spectrum airlight_transmittance(WITH_AIRLIGHT_AIR IN(AirlightColumns) columns) {
+    return exp(-airlight_depth(AIRLIGHT_AIR columns));
 }
 
-// The part of a uniform disk that stands above a straight horizon; x is the height of its centre in units of its radius.
-FN Number disk_above(Number x) {
-    Number c = clamp(x, Number(-1.0), Number(1.0));
-    return 0.5 + (c * sqrt(1.0 - c * c) + asin(c)) / pi;
+// Transmittance from a point to the top of the air, towards the horizon at the lowest.
+FN Spectrum airlight_upward(WITH_AIRLIGHT_AIR IN(PACKED_TABLE_2D(Spectrum)) transmittance, Length h, Number mu) {
+    Number u = transmittance_cosine_coordinate(h, max(mu, horizon_cosine(h, air.bottom)), air.bottom, air.top);
+    Number v = (airlight_texel(air.transmittance_axis, h, air.top) + 0.5) / Number(air.transmittance_axis.texels);
+    Spectrum depth = look_up(transmittance, TexCoord2(texture_coordinate(u, air.cosine_texels), v));
+    return exp(depth * (-air.deepest_depth));
 }
 
 // Transmittance from a point to the sun, times the part of its disk above the horizon.
 FN Spectrum airlight_sunlight(WITH_AIRLIGHT_AIR IN(PACKED_TABLE_2D(Spectrum)) transmittance, Length h, Number mu_s) {
-    Number horizon = horizon_cosine(h, air.bottom);
-    Number sine = sqrt(max(1.0 - horizon * horizon, Number(1e-6)));
-    Number above = (mu_s - horizon) / sine;  // the height of the sun's centre above the horizon, in radians
-    Number part = air.sun_radius > 0.0 ? disk_above(above / air.sun_radius) : (above >= 0.0 ? Number(1.0) : Number(0.0));
+    Number part = sun_above_horizon(h, mu_s, air.bottom, air.sun_radius);
     if (part <= 0.0) return Spectrum(Number(0.0));
-    Number u = transmittance_cosine_coordinate(h, max(mu_s, horizon), air.bottom, air.top);
-    Number v = (airlight_texel(air.transmittance_axis, h, air.top) + 0.5) / Number(air.transmittance_axis.texels);
-    Spectrum depth = look_up(transmittance, TexCoord2(texture_coordinate(u, air.cosine_texels), v));
-    return exp(depth * (-air.deepest_depth)) * part;
+    return airlight_upward(AIRLIGHT_AIR transmittance, h, mu_s) * part;
 }
 
 // Radiance scattered per scattering coefficient, by light of at least one scattering or reflection, towards where a view of

@@ -1,13 +1,14 @@
 // A way to compute the light of the air for a frame: a text that answers for rays, and what it reads. docs/decisions/0010-air-methods.md
-// says what the text must answer. Uses gpu and camera.
+// says what the text must answer. Uses gpu.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 
 #include "atmosphere/atmosphere.h"
-#include "camera/camera.h"
 #include "gpu/pass_timers.h"
+#include "units/vector.h"
 
 namespace airlight::render {
 
@@ -19,15 +20,29 @@ struct ColouredAir {
     std::span<const Vec3> colours;
 };
 
+// An eye over the ground sphere and its sun.
+struct AirEye {
+    double altitude_m;
+    double mu_s;  // cosine of the sun's zenith angle
+};
+
+// Bindings that a method may use, and of the block of physics/models/airlight_air.glsl.
+inline constexpr unsigned first_method_texture = 8, airlight_block_binding = 1;
+
+// A vector and a number as std140 has them.
+using Four = std::array<float, 4>;
+inline Four four(Vec3 v, double w) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
+}
+
 class AirMethod {
 public:
     virtual ~AirMethod() = default;
 
     // The fragment shader of the picture: "air_exact.frag".
     virtual std::string shader() const = 0;
-    // Makes what depends on the eye and the sun; `towards_sun` is of length one. Each pass is timed by its name. Draws and dispatches
-    // to textures of its own.
-    virtual void prepare(const Camera& camera, Vec3 towards_sun, gpu::PassTimers& timers) = 0;
+    // Makes what depends on the eye and the sun, in textures of its own. Each pass is timed by its name. An AirView is bound.
+    virtual void prepare(const AirEye& eye, gpu::PassTimers& timers) = 0;
     // How many pictures add up, and what the shader reads for each of them.
     virtual int pictures() const = 0;
     virtual void bind(int picture) const = 0;

@@ -12,11 +12,7 @@ namespace airlight::render {
 
 namespace {
 
-constexpr unsigned method_binding = 1, view_binding = 2;
-
-std::array<float, 4> four(Vec3 v, double w) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
-}
+constexpr unsigned view_binding = 2;
 
 // The colour of the sun's light of which a share is taken at each wavelength.
 template <class Share>
@@ -33,10 +29,10 @@ Result<AirPass> AirPass::create(const ColouredAir& air, std::unique_ptr<AirMetho
     assert(air.colours.size() == air.wavelengths.size());
     Result<gpu::Program> made = program("fullscreen.vert", method->shader());
     if (!made) return made.error();
-    made->bind_block("AirlightBlock", method_binding);
+    made->bind_block("AirlightBlock", airlight_block_binding);
     const Sun& sun = air.atmosphere.sun;
     const Vec3 whole = colour_of_sun(air, [](Wavelength) { return 1.0; });
-    const auto darkening = [&](const SpectrumOf<Number>& u) {
+    const auto mean = [&](const SpectrumOf<Number>& u) {
         return four(colour_of_sun(air, [&](Wavelength w) { return u.at(w).value; }) / whole, 0.0);
     };
     const View view{.eye_up = {},
@@ -44,8 +40,9 @@ Result<AirPass> AirPass::create(const ColouredAir& air, std::unique_ptr<AirMetho
                     .shell = {static_cast<float>(air.atmosphere.bottom_radius.in(m)), static_cast<float>(air.atmosphere.top_altitude.in(m)),
                               0.0f, 0.0f},
                     .colour_of_sun = four(whole, 0.0),
-                    .limb_darkening_1 = darkening(sun.limb_darkening_1),
-                    .limb_darkening_2 = darkening(sun.limb_darkening_2)};
+                    .limb_darkening_1 = mean(sun.limb_darkening_1),
+                    .limb_darkening_2 = mean(sun.limb_darkening_2),
+                    .ground_albedo = mean(air.atmosphere.ground_albedo)};
     return AirPass(std::move(*made), std::move(method), view, air.atmosphere.bottom_radius.in(m));
 }
 
@@ -58,7 +55,7 @@ void AirPass::prepare(const Camera& camera, Vec3 towards_sun, gpu::PassTimers& t
     view_.towards_sun = four(towards_sun, static_cast<double>(view_.towards_sun[3]));
     view_block_.write(std::as_bytes(std::span(&view_, 1)));
     view_block_.bind_uniform(view_binding);
-    method_->prepare(camera, towards_sun, timers);
+    method_->prepare({radius_m - bottom_m_, glm::dot(camera.eye, towards_sun) / radius_m}, timers);
 }
 
 void AirPass::draw(const GeometryBuffer& surfaces) const {

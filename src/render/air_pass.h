@@ -4,9 +4,9 @@
 // Leaves out: shadows of surfaces on surfaces and on the air; a surface's diffuse light is that of the sky over the ground sphere.
 #pragma once
 
-#include <array>
 #include <memory>
 
+#include "camera/camera.h"
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "gpu/vertex_array.h"
@@ -28,9 +28,8 @@ public:
     void draw(const GeometryBuffer& surfaces) const;
 
 private:
-    using Four = std::array<float, 4>;
     struct View {
-        Four eye_up, towards_sun, shell, colour_of_sun, limb_darkening_1, limb_darkening_2;
+        Four eye_up, towards_sun, shell, colour_of_sun, limb_darkening_1, limb_darkening_2, ground_albedo;
     };
     AirPass(gpu::Program program, std::unique_ptr<AirMethod> method, const View& view, double bottom_m);
 

@@ -9,6 +9,12 @@
 
 namespace airlight {
 
+std::optional<AirMethodName> air_method_named(std::string_view name) {
+    if (name == "airlight") return AirMethodName::airlight;
+    if (name == "exact") return AirMethodName::exact;
+    return std::nullopt;
+}
+
 Result<HeightField> ground_of(const Scene& scene) {
     const GroundScene& g = scene.ground;
     if (!g.elevation) {

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "camera/camera.h"
 #include "core/result.h"
@@ -39,9 +41,19 @@ struct SunScene {
     friend bool operator==(const SunScene&, const SunScene&) = default;
 };
 
+// How the light of the air is computed: docs/decisions/0010-air-methods.md.
+enum class AirMethodName { airlight, exact };
+inline constexpr std::string_view air_method_names = "airlight exact";
+std::optional<AirMethodName> air_method_named(std::string_view name);
+
+struct AirScene {
+    AirMethodName method = AirMethodName::airlight;
+};
+
 struct Scene {
     std::string file;                        // for messages
     std::string atmosphere = "earth-clear";  // a preset or a file, its path relative to that of the scene; "none" is no air
+    AirScene air;
     GroundScene ground;
     CameraScene camera;
     SunScene sun;

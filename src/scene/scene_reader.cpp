@@ -26,6 +26,16 @@ std::optional<double> metres(std::optional<Length> length) {
     return length->in(m);
 }
 
+void read_air(TomlInput& file, Scene& scene) {
+    auto air = file.table("air");
+    if (!air) return;
+    if (const auto word = air->text("method")) {
+        if (const auto method = air_method_named(*word)) scene.air.method = *method;
+        else air->refuse_word("method", air_method_names);
+    }
+    air->refuse_unknown_keys();
+}
+
 void read_ground(TomlInput& file, Scene& scene, const std::filesystem::path& folder) {
     auto ground = file.table("ground");
     if (!ground) return;
@@ -112,6 +122,7 @@ Result<Scene> parse_scene(std::string_view toml, std::string_view name) {
     Scene scene;
     scene.file = name;
     if (const auto air = file.text("atmosphere")) scene.atmosphere = *air;
+    read_air(file, scene);
     read_ground(file, scene, std::filesystem::path(name).parent_path());
     read_camera(file, scene);
     if (!failure.first) read_sun(file, scene);

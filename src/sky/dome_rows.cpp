@@ -9,8 +9,6 @@ namespace {
 
 // A layer that begins so little above the eye has its edge in the eye's horizontal.
 constexpr double beside_the_eye_m = 500.0;
-// Below it the ground is so near that its distance says nothing.
-constexpr double lowest_eye_m = 0.01;
 
 // Where a ray from r touches the sphere of a radius, or pi / 2 from within it.
 double tangent(double radius, double r) { return pi - std::asin(std::min(1.0, radius / r)); }

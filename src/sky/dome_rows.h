@@ -22,9 +22,19 @@ Stencil stencil_of(double s, int first, int count, bool mirrored);
 
 class DomeRows {
 public:
+    // Below it the ground is so near that its distance says nothing; an eye there counts as one at this altitude.
+    static constexpr double lowest_eye_m = 0.01;
+
     // `jumps_m`: altitudes where the air's density jumps, increasing. Rows: of the uppermost segment of the sky (each other one has
     // a third of them), and of the ground; at least 4.
     DomeRows(const Shell& shell, Length altitude, std::span<const double> jumps_m, int sky_rows, int ground_rows);
+
+    // Zenith angles between which nothing is interpolated, and their rows; the last is the ground.
+    struct Segment {
+        double from, to;
+        int first, count;
+    };
+    std::span<const Segment> segments() const { return segments_; }
 
     int size() const { return segments_.back().first + segments_.back().count; }
     double zenith(int row) const;
@@ -34,17 +44,13 @@ public:
     Stencil at(double view_zenith) const;
 
 private:
-    struct Segment {
-        double from, to;  // zenith angles
-        int first, count;
-    };
     double place(const Segment& segment, double view_zenith) const;  // 0 to 1
     double ground_place(double view_zenith) const;
     double ground_distance(double view_zenith) const;
 
-    double h_, bottom_;              // of the eye and of the ground, m
-    double farthest_;                // distance to the horizon
-    std::vector<Segment> segments_;  // the last is the ground
+    double h_, bottom_;  // of the eye and of the ground, m
+    double farthest_;    // distance to the horizon
+    std::vector<Segment> segments_;
 };
 
 }  // namespace airlight

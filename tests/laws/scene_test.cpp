@@ -31,7 +31,7 @@ TEST_CASE("a scene says its ground, camera and sun, and leaves the rest at what 
     const Result<Scene> scene =
         parse_scene(std::string(camera) +
                         "heading = \"120 deg\"\npitch = \"-5 deg\"\n"
-                        "[ground]\nelevation = \"heights.tif\"\nsea = false\nradius = \"3390 km\"\n[sun]\nzenith = \"80 deg\"\n",
+                        "[ground]\nelevation = \"heights.tif\"\nsea = false\nradius = \"3390 km\"\n[sun]\nzenith = \"80 deg\"\n[air]\nmethod = \"exact\"\n",
                     "folder/scene.toml");
     if (!scene) FAIL(scene.error().message());
     CHECK(scene->camera.viewpoint.latitude == doctest::Approx(46.0 * deg));
@@ -41,6 +41,8 @@ TEST_CASE("a scene says its ground, camera and sun, and leaves the rest at what 
     CHECK(scene->ground.elevation == std::filesystem::path("folder/heights.tif"));
     CHECK(!scene->ground.sea);
     CHECK(scene->ground.radius_m == 3.39e6);
+    CHECK(scene->air.method == AirMethodName::exact);
+    CHECK(parse_scene(camera, "scene.toml")->air.method == AirMethodName::airlight);
     CHECK(scene->sun.zenith == doctest::Approx(80.0 * deg));
     CHECK(scene->sun.azimuth == doctest::Approx(180.0 * deg));
 }
@@ -60,6 +62,7 @@ TEST_CASE("a wrong scene is one message with file, line, key, value, the rule an
     says(error_of(std::string(camera) + "[sun]\ntime = \"2024-06-21T12:00Z\"\nzenith = \"3 deg\"\n"), "time is given as well");
     says(error_of(std::string(camera) + "[ground]\nsea = \"yes\"\n"), "it must be true or false");
     says(error_of(std::string(camera) + "[ground]\nseed = 1.5\n"), "a whole number");
+    says(error_of(std::string(camera) + "[air]\nmethod = \"exakt\"\n"), "air.method = \"exakt\": it must be one of: airlight exact");
     says(error_of(std::string(camera) + "[planet]\n"), "planet is no key");
     says(error_of(""), "camera is missing");
     says(error_of("[camera\n"), "scene.toml:1: it is not TOML");

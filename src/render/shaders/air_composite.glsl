@@ -1,15 +1,13 @@
 // The picture that any method of air makes: what stands above the air and what the geometry buffer holds, seen through it.
 // The text of a method stands before this one and answers (docs/decisions/0010-air-methods.md):
 //
-//   AirLight                                             light of some wavelengths, or red, green and blue
+//   AirLight                                            light of some wavelengths, or red, green and blue
 //   struct AirSeen { AirLight inscattered, transmittance; }
-//   AirSeen air_before(vec3 direction, float distance_m)  the air between the eye and a surface
-//   AirSeen air_beyond(vec3 direction)                    the whole ray; where the ground sphere ends it, with the light of that ground,
-//                                                        and nothing is seen through
-//   AirLight air_sunlight(float h, float mu_s)            irradiance of a surface at an altitude that faces the sun
-//   AirLight air_skylight(float mu_s)                     irradiance of level ground by the whole sky but the sun
-//   vec3 colour_of(AirLight light)                        red, green and blue
-//   vec3 colour_through(vec3 colour, AirLight seen)       what is left of light of a colour and the sun's spectrum
+//   AirSeen air_seen(vec3 direction, float distance_m)   the air between the eye and a place; it ends at the ground sphere
+//   AirLight air_sunlight(float h, float mu_s)           irradiance of a surface at an altitude that faces the sun
+//   AirLight air_skylight(float mu_s)                    irradiance of level ground by the whole sky but the sun
+//   vec3 colour_of(AirLight light)                       red, green and blue
+//   vec3 colour_through(vec3 colour, AirLight seen)      what is left of light of a colour and the sun's spectrum
 //
 // Where a method draws several times, each with a share of the wavelengths, its pictures add up.
 #include "camera.glsl"
@@ -33,31 +31,53 @@ vec3 sun_disk(vec3 direction, float width) {
     return colour_of_sun.rgb * shape / mean * (covered / (pi * radius * radius));
 }
 
-// What a surface sends to the eye through the air.
-vec3 surface_seen(ivec2 pixel, vec3 position, vec3 reflectance, AirLight seen) {
-    dvec3 from_centre = camera_eye_m.xyz + dvec3(position);
-    float h = max(float(length(from_centre) - double(air_shell.x)), 0.0);
-    vec3 up = normalize(vec3(from_centre));
-    vec3 n = from_octahedral(texelFetch(normal_buffer, pixel, 0).rg);
-    SurfaceLight light =
-        surface_light(reflectance, texelFetch(material_buffer, pixel, 0).rg, n, up, -normalize(position), towards_sun.xyz);
-    float mu_s = clamp(dot(up, towards_sun.xyz), -1.0, 1.0);
-    return light.of_sun * colour_of(seen * air_sunlight(h, mu_s)) + light.of_sky * colour_of(seen * air_skylight(mu_s));
+// What is seen at a pixel: of the geometry buffer, or the ground sphere, or nothing.
+struct Surface {
+    bool there;
+    vec3 position;  // from the eye
+    vec3 up;        // away from the planet's centre, there
+    float h;        // altitude
+    vec3 reflectance, normal;
+    vec2 material;
+};
+
+Surface surface_at(ivec2 pixel, vec3 direction) {
+    Surface surface;
+    vec4 colour = texelFetch(colour_buffer, pixel, 0);
+    surface.there = colour.a > 0.0;
+    surface.reflectance = colour.rgb;
+    surface.normal = from_octahedral(texelFetch(normal_buffer, pixel, 0).rg);
+    surface.material = texelFetch(material_buffer, pixel, 0).rg;
+    surface.position = surface.there ? position_at(place, texelFetch(depth_buffer, pixel, 0).r) : vec3(0.0);
+    float h = max(eye_up.w, 0.0), mu = dot(direction, eye_up.xyz);
+    bool sphere = !surface.there && meets_ground(h, mu, air_shell.x);
+    if (sphere) surface.position = direction * distance_to_ground(h, mu, air_shell.x);
+    dvec3 from_centre = camera_eye_m.xyz + dvec3(surface.position);
+    surface.up = normalize(vec3(from_centre));
+    surface.h = max(float(length(from_centre) - double(air_shell.x)), 0.0);
+    if (sphere) {
+        surface.there = true;
+        surface.reflectance = ground_albedo.rgb;
+        surface.normal = surface.up;
+        surface.material = vec2(1.0, 0.0);
+    }
+    return surface;
 }
 
 void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 direction = normalize(view_ray(place));
     float width = length(dFdx(direction));
-    vec4 colour = texelFetch(colour_buffer, pixel, 0);
-    vec3 sum;
-    if (colour.a > 0.0) {
-        vec3 position = position_at(place, texelFetch(depth_buffer, pixel, 0).r);
-        AirSeen seen = air_before(direction, length(position));
-        sum = colour_of(seen.inscattered) + surface_seen(pixel, position, colour.rgb, seen.transmittance);
+    Surface surface = surface_at(ivec2(gl_FragCoord.xy), direction);
+    AirSeen seen = air_seen(direction, surface.there ? length(surface.position) : 1e30);
+    vec3 sum = colour_of(seen.inscattered);
+    if (surface.there) {
+        SurfaceLight light =
+            surface_light(surface.reflectance, surface.material, surface.normal, surface.up, -direction, towards_sun.xyz);
+        float mu_s = clamp(dot(surface.up, towards_sun.xyz), -1.0, 1.0);
+        sum += light.of_sun * colour_of(seen.transmittance * air_sunlight(surface.h, mu_s)) +
+               light.of_sky * colour_of(seen.transmittance * air_skylight(mu_s));
     } else {
-        AirSeen seen = air_beyond(direction);
-        sum = colour_of(seen.inscattered) + colour_through(sun_disk(direction, width), seen.transmittance);
+        sum += colour_through(sun_disk(direction, width), seen.transmittance);
     }
     radiance = vec4(sum, 1.0);
 }

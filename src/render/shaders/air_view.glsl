@@ -8,6 +8,7 @@ layout(std140, binding = 2) uniform AirView {
     vec4 air_shell;          // radius of the ground, altitude of the top
     vec4 colour_of_sun;      // of its light above the air, on a surface that faces it
     vec4 limb_darkening[2];  // in each colour
+    vec4 ground_albedo;      // of the ground sphere
 };
 
 // The angle between two directions of length one. Not by acos, which near 0 is off by the root of its argument's rounding.

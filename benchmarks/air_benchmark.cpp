@@ -1,0 +1,95 @@
+// What the air of a frame takes, by method: its tables and its picture, by the GPU's own clock, the best frame of all.
+// Half of the view is sky, half the ground sphere. 640 x 360, earth-clear at sixteen wavelengths.
+
+#include <benchmark/benchmark.h>
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "atmosphere/presets.h"
+#include "gpu/context.h"
+#include "render/air_airlight.h"
+#include "render/air_exact.h"
+#include "render/air_pass.h"
+#include "render/camera_block.h"
+#include "spectrum/colour.h"
+#include "spectrum/colour_weights.h"
+#include "transport/table_cache.h"
+
+using namespace airlight;
+
+namespace {
+
+constexpr int width = 640, height = 360;
+
+struct Air {
+    Atmosphere atmosphere = *preset("earth-clear");
+    WavelengthGrid grid = WavelengthGrid::standard();
+    std::vector<Wavelength> wavelengths{grid.begin(), grid.end()};
+    std::vector<Vec3> colours;
+    Tables tables = *cached_tables(atmosphere, wavelengths, {}, {}, {});
+    Air() {
+        const RgbConverter converter(RgbSpace::srgb, WhitePoint::d65);
+        for (const Xyz& weight : ColourWeights(grid, atmosphere.sun.irradiance).weights()) {
+            const Rgb rgb = converter.to_rgb(weight);
+            colours.emplace_back(rgb.r, rgb.g, rgb.b);
+        }
+    }
+};
+
+Result<std::unique_ptr<render::AirMethod>> method_of(const Air& air, bool exact) {
+    if (exact) return render::exact_air(air.tables, air.colours);
+    return render::airlight_air(air.tables, air.colours);
+}
+
+void air(benchmark::State& state) {
+    const Result<gpu::Context> context = gpu::Context::create();
+    if (!context) return state.SkipWithError(context.error().message().c_str());
+    const Air model;
+    Result<std::unique_ptr<render::AirMethod>> method = method_of(model, state.range(0) != 0);
+    if (!method) return state.SkipWithError(method.error().message().c_str());
+    Result<render::AirPass> pass = render::AirPass::create({model.atmosphere, model.wavelengths, model.colours}, *std::move(method));
+    const Result<render::GeometryBuffer> surfaces = render::GeometryBuffer::create(width, height);
+    const gpu::Texture radiance({width, height});
+    const Result<gpu::Framebuffer> target = gpu::Framebuffer::create({&radiance});
+    if (!pass || !surfaces || !target) return state.SkipWithError("the passes cannot be made");
+    const double altitude_m = static_cast<double>(state.range(1)), radius_m = model.atmosphere.bottom_radius.in(m);
+    const double dip = std::acos(radius_m / (radius_m + altitude_m));
+    Camera camera = look(Viewpoint{.latitude = 0.7, .longitude = 0.2, .altitude_m = altitude_m, .heading = 0.5, .pitch = -dip}, radius_m);
+    camera.width = width, camera.height = height;
+    const Vec3 sun =
+        look(Viewpoint{.latitude = 0.7, .longitude = 0.2, .heading = 1.1, .pitch = (90.0 - static_cast<double>(state.range(2))) * deg},
+             radius_m)
+            .forward;
+    const render::CameraBlock block;
+    surfaces->begin();
+    render::GeometryBuffer::end();
+    std::map<std::string, double> best;
+    for ([[maybe_unused]] auto _ : state) {
+        gpu::PassTimers timers;
+        block.bind(camera);
+        pass->prepare(camera, sun, timers);
+        {
+            const auto timed = timers.time("air");
+            target->bind();
+            pass->draw(*surfaces);
+        }
+        for (const gpu::PassTime& time : timers.read()) {
+            const auto [at, first] = best.emplace(time.pass, time.milliseconds);
+            if (!first) at->second = std::min(at->second, time.milliseconds);
+        }
+    }
+    for (const auto& [name, milliseconds] : best) state.counters[name + " ms"] = milliseconds;
+    state.SetLabel(context->renderer());
+}
+
+}  // namespace
+
+BENCHMARK(air)
+    ->ArgNames({"exact", "above_m", "sun_deg"})
+    ->ArgsProduct({{0}, {2, 10'000, 400'000}, {50, 95}})
+    ->Args({1, 2, 50})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();

@@ -1,0 +1,51 @@
+// A method of air (docs/decisions/0010-air-methods.md): light is looked up along the rays that air_march.comp has marched for this eye.
+#include "air_rays.glsl"
+layout(binding = 8) uniform sampler3D smooth_light;   // radiance, over the share of light that the way takes, of what has no peak, over
+                                                      // a scale; the logarithm of that scale
+layout(binding = 9) uniform sampler3D peaked_light;   // the same of what has one, over the same and over `peak`
+layout(binding = 10) uniform sampler3D extinction;    // its mean along the way
+layout(binding = 11) uniform sampler2D peak;          // a phase function, even in the root of the scattering angle
+layout(binding = 12) uniform sampler2D sunlight;      // logarithm of the irradiance of the whole sun's disk, [altitude][cosine]
+layout(binding = 13) uniform sampler2D skylight;      // logarithm of that on level ground, [sun_coordinate]
+#define AirLight vec3
+
+struct AirSeen {
+    AirLight inscattered;
+    AirLight transmittance;
+};
+
+vec3 colour_of(AirLight light) { return light; }
+
+vec3 colour_through(vec3 colour, AirLight seen) { return colour * seen; }
+
+AirSeen air_seen(vec3 direction, float distance_m) {
+    AirRay ray;
+    if (!enter_air(direction, ray)) return AirSeen(AirLight(0.0), AirLight(1.0));
+    bool grounded = meets_ground(ray.h, ray.mu, air_shell.x);
+    float mu = dot(direction, eye_up.xyz), zenith = angle_between(direction, eye_up.xyz);
+    float length = grounded ? distance_to_ground(ray.h, ray.mu, air_shell.x) : distance_to_top(ray.h, ray.mu, air_shell.x, air_shell.y);
+    length = max(length, 1e-3);
+    float way = clamp(distance_m - ray.empty, 0.0, length);
+    float azimuth = azimuth_coordinate(relative_azimuth_cosine(mu, dot(eye_up.xyz, towards_sun.xyz), ray.nu)) * float(ray_counts.y - 1);
+    float layer = layer_place(way, length, grounded) * float(ray_counts.w);
+    vec3 place = (vec3(azimuth, row_of(zenith, mu, grounded), layer) + 0.5) / vec3(textureSize(smooth_light, 0));
+    float x = texture_coordinate(sqrt(angle_between(direction, towards_sun.xyz) / pi), textureSize(peak, 0).x);
+    vec4 even = textureLod(smooth_light, place, 0.0);
+    vec3 light = exp(even.a) * (even.rgb + textureLod(peaked_light, place, 0.0).rgb * look_up(peak, vec2(x, 0.5)).r);
+    AirSeen seen;
+    seen.transmittance = exp(-textureLod(extinction, place, 0.0).rgb * way);
+    seen.inscattered = light * (1.0 - seen.transmittance);
+    return seen;
+}
+
+AirLight air_sunlight(float h, float mu_s) {
+    vec2 size = vec2(textureSize(sunlight, 0));
+    float low = min(h, air_shell.y), mu = max(mu_s, horizon_cosine(low, air_shell.x));
+    vec2 place = vec2(transmittance_cosine_coordinate(low, mu, air_shell.x, air_shell.y), altitude_coordinate(low, air_shell.y));
+    return sun_above_horizon(low, mu_s, air_shell.x, towards_sun.w) * 
+           exp(textureLod(sunlight, (place * (size - 1.0) + 0.5) / size, 0.0).rgb);
+}
+
+AirLight air_skylight(float mu_s) {
+    return exp(look_up(skylight, vec2(texture_coordinate(sun_coordinate(mu_s), textureSize(skylight, 0).x), 0.5)).rgb);
+}
