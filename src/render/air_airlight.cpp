@@ -164,7 +164,7 @@ public:
         ways_.bind_storage(ways_binding);
         peak_.bind_sampler(first_method_texture + 5);
         unsigned image = 0;
-        for (const gpu::Texture* texture : {&smooth_, &peaked_, &extinction_}) texture->bind_image(image++);
+        for (const gpu::Texture* texture : {&smooth_, &peaked_, &extinction_, &once_}) texture->bind_image(image++);
         march_.use();
         for (std::size_t g = 0; g < groups_.size(); ++g) {
             groups_[g].bind();
@@ -177,7 +177,7 @@ public:
     void bind(int) const override {
         rays_block_.bind_uniform(rays_binding);
         unsigned binding = first_method_texture;
-        for (const gpu::Texture* texture : {&smooth_, &peaked_, &extinction_, &peak_, &sunlight_, &skylight_})
+        for (const gpu::Texture* texture : {&smooth_, &peaked_, &extinction_, &peak_, &sunlight_, &skylight_, &once_})
             texture->bind_sampler(binding++);
     }
 
@@ -198,7 +198,7 @@ private:
     gpu::Texture peak_, sunlight_, skylight_;
     gpu::Buffer rays_block_, ways_;
     gpu::TextureSize size_{space_grid.azimuths, most_rows(space_grid, jumps_m_.size()), shadow_grid.layers + 1};
-    gpu::Texture smooth_{size_}, peaked_{size_}, extinction_{size_};
+    gpu::Texture smooth_{size_}, peaked_{size_}, extinction_{size_}, once_{size_};
 };
 
 // The way in the air of a view: zenith cosine at the eye and where the air begins; empty way before; length, negative to the ground.

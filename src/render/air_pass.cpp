@@ -47,7 +47,12 @@ Result<AirPass> AirPass::create(const ColouredAir& air, std::unique_ptr<AirMetho
 }
 
 AirPass::AirPass(gpu::Program program, std::unique_ptr<AirMethod> method, const View& view, double bottom_m)
-    : program_(std::move(program)), method_(std::move(method)), view_(view), bottom_m_(bottom_m), view_block_(sizeof(View)) {}
+    : program_(std::move(program)),
+      method_(std::move(method)),
+      view_(view),
+      bottom_m_(bottom_m),
+      view_block_(sizeof(View)),
+      lit_({1, 1}, std::array{1.0f, 1.0f, 1.0f, 1.0f}) {}
 
 void AirPass::prepare(const Camera& camera, Vec3 towards_sun, gpu::PassTimers& timers) {
     const double radius_m = glm::length(camera.eye);
@@ -58,11 +63,12 @@ void AirPass::prepare(const Camera& camera, Vec3 towards_sun, gpu::PassTimers& t
     method_->prepare({radius_m - bottom_m_, glm::dot(camera.eye, towards_sun) / radius_m}, timers);
 }
 
-void AirPass::draw(const GeometryBuffer& surfaces) const {
+void AirPass::draw(const GeometryBuffer& surfaces, const gpu::Texture* shade) const {
     view_block_.bind_uniform(view_binding);
     unsigned binding = 0;
     for (const gpu::Texture* texture : {&surfaces.depth(), &surfaces.colour(), &surfaces.normal(), &surfaces.material()})
         texture->bind_sampler(binding++);
+    (shade ? *shade : lit_).bind_sampler(7);
     program_.use();
     glDisable(GL_DEPTH_TEST);
     glBlendFunc(GL_ONE, GL_ONE);

@@ -1,7 +1,7 @@
 // The air as one post-process over any scene that fills the geometry buffer: aerial perspective, the sky, the sun's disk, and the light
 // of sun and sky on surfaces, by any method of air. From the ground to space. Uses the passes' buffers; knows no method.
 //
-// Leaves out: shadows of surfaces on surfaces and on the air; a surface's diffuse light is that of the sky over the ground sphere.
+// Leaves out: a surface's diffuse light is that of the sky over the ground sphere.
 #pragma once
 
 #include <memory>
@@ -24,8 +24,9 @@ public:
     void prepare(const Camera& camera, Vec3 towards_sun, gpu::PassTimers& timers);
 
     // Draws into the bound framebuffer, whose colours are floats: red, green and blue; alpha means nothing. A CameraBlock of the same
-    // camera is bound. Hues beyond the triangle of the primaries have negative parts.
-    void draw(const GeometryBuffer& surfaces) const;
+    // camera is bound. Hues beyond the triangle of the primaries have negative parts. `shade`: of ShaftsPass, where anything casts a
+    // shadow.
+    void draw(const GeometryBuffer& surfaces, const gpu::Texture* shade = nullptr) const;
 
 private:
     struct View {
@@ -38,6 +39,7 @@ private:
     View view_;
     double bottom_m_;
     gpu::Buffer view_block_;
+    gpu::Texture lit_;  // the shade where there is none
     gpu::VertexArray triangle_;
 };
 

@@ -23,27 +23,31 @@ Image image_of(const gpu::Texture& radiance) {
 }  // namespace
 
 Result<Frame> Frame::create(const gpu::Context& context, const HeightField& ground, GroundColour colour, const Camera& like,
-                            std::optional<AirPass> air) {
+                            std::optional<AirPass> air, std::optional<ShaftsPass> shafts) {
     Result<TerrainPass> terrain = TerrainPass::create(
         std::move(ground), {.pixels_per_radian = pixels_per_radian(like), .pixels_of_square = 5.0}, {}, std::move(colour));
     if (!terrain) return terrain.error();
     Result<LightPass> light = LightPass::create();
     if (!light) return light.error();
+    Result<ShadowPass> shadows = ShadowPass::create();
+    if (!shadows) return shadows.error();
     Result<GeometryBuffer> surfaces = GeometryBuffer::create(like.width, like.height);
     if (!surfaces) return surfaces.error();
     gpu::Texture radiance({like.width, like.height});
     Result<gpu::Framebuffer> target = gpu::Framebuffer::create({&radiance});
     if (!target) return target.error();
-    return Frame(context, std::move(*terrain), std::move(*light), std::move(air), std::move(*surfaces), std::move(radiance),
-                 std::move(*target));
+    return Frame(context, std::move(*terrain), std::move(*light), std::move(air), std::move(*shadows), std::move(shafts),
+                 std::move(*surfaces), std::move(radiance), std::move(*target));
 }
 
-Frame::Frame(const gpu::Context& context, TerrainPass terrain, LightPass light, std::optional<AirPass> air, GeometryBuffer surfaces,
-             gpu::Texture radiance, gpu::Framebuffer target)
+Frame::Frame(const gpu::Context& context, TerrainPass terrain, LightPass light, std::optional<AirPass> air, ShadowPass shadows,
+             std::optional<ShaftsPass> shafts, GeometryBuffer surfaces, gpu::Texture radiance, gpu::Framebuffer target)
     : context_(&context),
       terrain_(std::move(terrain)),
       light_(std::move(light)),
       air_(std::move(air)),
+      shadows_(std::move(shadows)),
+      shafts_(std::move(shafts)),
       surfaces_(std::move(surfaces)),
       radiance_(std::move(radiance)),
       target_(std::move(target)) {}
@@ -63,14 +67,25 @@ Result<Done> Frame::render(const Camera& camera, const Lights& lights) {
         GeometryBuffer::end();
     }
     if (air_) air_->prepare(camera, lights.towards_sun, timers_);
+    if (shafts_) draw_shade(camera, lights.towards_sun);
     {
         const auto pass = timers_.time(air_ ? "air" : "light");
         target_.bind();
-        if (air_) air_->draw(surfaces_);
-        else light_.draw(surfaces_, lights);
+        const gpu::Texture* shade = shafts_ ? &shafts_->shade() : nullptr;
+        if (air_) air_->draw(surfaces_, shade);
+        else light_.draw(surfaces_, lights, shade);
     }
     times_ = timers_.read();
     return context_->check();
+}
+
+void Frame::draw_shade(const Camera& camera, Vec3 towards_sun) {
+    {
+        const auto pass = timers_.time("shadows");
+        shadows_.draw(terrain_, camera, towards_sun);
+    }
+    const auto pass = timers_.time("shafts");
+    shafts_->draw(surfaces_, shadows_, camera, towards_sun);
 }
 
 }  // namespace airlight::render

@@ -11,15 +11,17 @@
 #include "render/air_pass.h"
 #include "render/camera_block.h"
 #include "render/light_pass.h"
+#include "render/shafts_pass.h"
 #include "render/terrain_pass.h"
 
 namespace airlight::render {
 
 class Frame {
 public:
-    // For pictures of this size and field of view; `context` outlives it.
+    // For pictures of this size and field of view; `context` outlives it. Without `shafts` nothing casts a shadow; shafts that have an air
+    // need `air`.
     static Result<Frame> create(const gpu::Context& context, const HeightField& ground, GroundColour colour, const Camera& like,
-                                std::optional<AirPass> air);
+                                std::optional<AirPass> air, std::optional<ShaftsPass> shafts = {});
 
     // Red, green and blue of each pixel: with air, in the unit of its colours, and lights.towards_sun alone counts; without, in the unit
     // of the lights a steradian, black where there is nothing. The camera has the size that the frame was made for. Fails if the GPU was
@@ -32,20 +34,26 @@ public:
 
     // The next pictures have this air; the one of before comes back.
     std::optional<AirPass> exchange_air(std::optional<AirPass> air) { return std::exchange(air_, std::move(air)); }
+    // Their shadows too.
+    std::optional<ShaftsPass> exchange_shafts(std::optional<ShaftsPass> shafts) { return std::exchange(shafts_, std::move(shafts)); }
 
     // Of the last picture.
     const std::vector<gpu::PassTime>& times() const { return times_; }
     const TerrainCount& terrain() const { return terrain_.count(); }
 
 private:
-    Frame(const gpu::Context& context, TerrainPass terrain, LightPass light, std::optional<AirPass> air, GeometryBuffer surfaces,
-          gpu::Texture radiance, gpu::Framebuffer target);
+    Frame(const gpu::Context& context, TerrainPass terrain, LightPass light, std::optional<AirPass> air, ShadowPass shadows,
+          std::optional<ShaftsPass> shafts, GeometryBuffer surfaces, gpu::Texture radiance, gpu::Framebuffer target);
+
+    void draw_shade(const Camera& camera, Vec3 towards_sun);
 
     const gpu::Context* context_;
     CameraBlock camera_;
     TerrainPass terrain_;
     LightPass light_;
     std::optional<AirPass> air_;
+    ShadowPass shadows_;
+    std::optional<ShaftsPass> shafts_;
     GeometryBuffer surfaces_;
     gpu::Texture radiance_;
     gpu::Framebuffer target_;

@@ -20,9 +20,10 @@ Result<LightPass> LightPass::create() {
     return LightPass(std::move(*made));
 }
 
-LightPass::LightPass(gpu::Program program) : program_(std::move(program)), lights_(12 * sizeof(float)) {}
+LightPass::LightPass(gpu::Program program)
+    : program_(std::move(program)), lights_(12 * sizeof(float)), lit_({1, 1}, std::array{1.0f, 1.0f, 1.0f, 1.0f}) {}
 
-void LightPass::draw(const GeometryBuffer& surfaces, const Lights& lights) const {
+void LightPass::draw(const GeometryBuffer& surfaces, const Lights& lights, const gpu::Texture* shade) const {
     const std::array<std::array<float, 4>, 3> block = {four(lights.towards_sun), four(lights.sun), four(lights.sky)};
     lights_.write(std::as_bytes(std::span(block)));
     lights_.bind_uniform(2);
@@ -30,6 +31,7 @@ void LightPass::draw(const GeometryBuffer& surfaces, const Lights& lights) const
     surfaces.colour().bind_sampler(1);
     surfaces.normal().bind_sampler(2);
     surfaces.material().bind_sampler(3);
+    (shade ? *shade : lit_).bind_sampler(7);
     program_.use();
     glDisable(GL_DEPTH_TEST);
     triangle_.draw_triangles(3);

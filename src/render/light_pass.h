@@ -21,12 +21,14 @@ public:
     static Result<LightPass> create();
 
     // Draws into the bound framebuffer: radiance, and alpha 1 on surfaces; 0, 0, 0, 0 where there is nothing. A CameraBlock is bound.
-    void draw(const GeometryBuffer& surfaces, const Lights& lights) const;
+    // `shade`: of ShaftsPass, where anything casts a shadow.
+    void draw(const GeometryBuffer& surfaces, const Lights& lights, const gpu::Texture* shade = nullptr) const;
 
 private:
     explicit LightPass(gpu::Program program);
     gpu::Program program_;
     gpu::Buffer lights_;
+    gpu::Texture lit_;  // the shade where there is none
     gpu::VertexArray triangle_;
 };
 

@@ -42,14 +42,18 @@ Place place_of(const Node& node, std::size_t slot, double radius_m) {
 Result<TerrainPass> TerrainPass::create(const HeightField& field, DetailSettings detail, TerrainMemory memory, GroundColour colour) {
     Result<gpu::Program> made = program("terrain.vert", "terrain.frag");
     if (!made) return made.error();
+    Result<gpu::Program> shadow = program("terrain_shadow.vert", "depth.frag");
+    if (!shadow) return shadow.error();
     const LevelReach reach = level_reach(field, detail);
-    return TerrainPass(field, reach, memory, std::move(colour), std::move(*made));
+    return TerrainPass(field, reach, memory, std::move(colour), std::move(*made), std::move(*shadow));
 }
 
-TerrainPass::TerrainPass(const HeightField& field, const LevelReach& reach, TerrainMemory memory, GroundColour colour, gpu::Program made)
+TerrainPass::TerrainPass(const HeightField& field, const LevelReach& reach, TerrainMemory memory, GroundColour colour, gpu::Program made,
+                         gpu::Program shadow)
     : tree_(field, reach),
       store_(std::make_unique<TileStore>(field, memory.tiles_bytes, std::move(colour))),
       program_(std::move(made)),
+      shadow_program_(std::move(shadow)),
       tiles_(static_cast<std::size_t>(memory.gpu_tiles) * tile_bytes),
       places_(static_cast<std::size_t>(memory.gpu_tiles) * sizeof(Place)),
       reach_(sizeof(Reaches)),
@@ -64,13 +68,24 @@ void TerrainPass::draw(const Camera& camera, Culling culling) {
     const Selection selection = tree_.select(camera, culling);
     const std::size_t before = store_->built();
     program_.use();
+    draw_patches(selection.nodes);
+    count_ = {selection.nodes.size(), selection.nodes.size() * patch_triangles().size(), selection.visited, selection.culled,
+              store_->built() - before};
+}
+
+std::size_t TerrainPass::draw_depths(Vec3 eye, std::span<const HalfSpace> within, int finest) {
+    const Selection selection = tree_.select(eye, within, finest);
+    shadow_program_.use();
+    draw_patches(selection.nodes);
+    return selection.nodes.size();
+}
+
+void TerrainPass::draw_patches(std::span<const Node> nodes) {
     tiles_.bind_storage(0);
     places_.bind_storage(1);
     reach_.bind_uniform(1);
-    const std::span<const Node> nodes(selection.nodes);
     for (std::size_t first = 0; first < nodes.size(); first += slots_.size())
         draw_batch(nodes.subspan(first, std::min(slots_.size(), nodes.size() - first)));
-    count_ = {nodes.size(), nodes.size() * patch_triangles().size(), selection.visited, selection.culled, store_->built() - before};
 }
 
 void TerrainPass::draw_batch(std::span<const Node> nodes) {

@@ -31,7 +31,11 @@ public:
     // and a CameraBlock of the same camera is bound.
     void draw(const Camera& camera, Culling culling = {});
 
-    // Of the last draw.
+    // Draws the depths of what of the eye's ground lies within the half-spaces, whether the eye sees it or not, into the bound shadow map;
+    // patches finer than `finest` are left at that level. A CameraBlock of the eye and a ShadowBlock are bound. Returns how many patches.
+    std::size_t draw_depths(Vec3 eye, std::span<const HalfSpace> within, int finest);
+
+    // Of the last draw().
     const TerrainCount& count() const { return count_; }
     const Quadtree& quadtree() const { return tree_; }
     std::size_t tiles_bytes() const { return store_->bytes(); }
@@ -41,13 +45,15 @@ private:
         Node node;
         std::size_t used = 0;  // in which batch; 0 never
     };
-    TerrainPass(const HeightField& field, const LevelReach& reach, TerrainMemory memory, GroundColour colour, gpu::Program program);
+    TerrainPass(const HeightField& field, const LevelReach& reach, TerrainMemory memory, GroundColour colour, gpu::Program program,
+                gpu::Program shadow_program);
+    void draw_patches(std::span<const Node> nodes);
     void draw_batch(std::span<const Node> nodes);
     std::size_t slot_of(const Node& node);
 
     Quadtree tree_;
     std::unique_ptr<TileStore> store_;
-    gpu::Program program_;
+    gpu::Program program_, shadow_program_;
     gpu::Buffer tiles_, places_, reach_, indices_;
     gpu::VertexArray triangles_;
     std::vector<Slot> slots_;

@@ -14,6 +14,13 @@ Interval along(double cosine, double angle, Interval radii) {
     return {low * (low < 0.0 ? radii.high : radii.low), high * (high < 0.0 ? radii.low : radii.high)};
 }
 
+// Whether all of a box is on the outer side of a plane: its p-vertex is.
+bool behind(const Box& box, Vec3 inward, Vec3 through) {
+    const Vec3 p(inward.x >= 0.0 ? box.high.x : box.low.x, inward.y >= 0.0 ? box.high.y : box.low.y,
+                 inward.z >= 0.0 ? box.high.z : box.low.z);
+    return glm::dot(inward, p - through) < 0.0;
+}
+
 }  // namespace
 
 NodeBounds bounds_of(const Node& node, const HeightField& field) {
@@ -39,12 +46,11 @@ Box box_of(const NodeBounds& b) {
 }
 
 bool outside(const Box& box, Vec3 eye, const Frustum& frustum) {
-    for (const Vec3& normal : frustum) {
-        const Vec3 p(normal.x >= 0.0 ? box.high.x : box.low.x, normal.y >= 0.0 ? box.high.y : box.low.y,
-                     normal.z >= 0.0 ? box.high.z : box.low.z);
-        if (glm::dot(normal, p - eye) < 0.0) return true;
-    }
-    return false;
+    return std::any_of(frustum.begin(), frustum.end(), [&](Vec3 normal) { return behind(box, normal, eye); });
+}
+
+bool outside(const Box& box, std::span<const HalfSpace> within) {
+    return std::any_of(within.begin(), within.end(), [&](const HalfSpace& h) { return behind(box, h.inward, h.through); });
 }
 
 bool below_horizon(const NodeBounds& b, Vec3 eye, double solid_m) {

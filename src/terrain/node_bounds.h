@@ -2,6 +2,8 @@
 // Uses camera and units.
 #pragma once
 
+#include <span>
+
 #include "camera/camera.h"
 #include "terrain/height_field.h"
 
@@ -26,6 +28,13 @@ Box box_of(const NodeBounds& bounds);
 // Whether the box is outside of one of the frustum's planes: the box's corner that lies farthest along the plane's normal, its
 // p-vertex, is behind it [Sperlhofer2011, section 4.4.4.2].
 bool outside(const Box& box, Vec3 eye, const Frustum& frustum);
+
+// The points p with dot(inward, p - through) >= 0; `inward` is of length one.
+struct HalfSpace {
+    Vec3 inward, through;
+};
+// Whether the box lies outside of one of the half-spaces.
+bool outside(const Box& box, std::span<const HalfSpace> within);
 
 // Whether the planet, solid up to `solid_m` from its centre, hides all that is within the bounds from an eye.
 bool below_horizon(const NodeBounds& bounds, Vec3 eye, double solid_m);

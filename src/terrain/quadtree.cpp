@@ -41,26 +41,42 @@ double Quadtree::solid_m(Vec3 eye) const {
 }
 
 Selection Quadtree::select(const Camera& camera, Culling culling) {
-    Selection selection;
     const Frustum planes = frustum(camera);
     const double solid = solid_m(camera.eye);
-    for (int face = 0; face < cube_faces; ++face) select({face, 0, 0, 0}, camera, planes, solid, culling, selection);
+    Selection selection;
+    for (int face = 0; face < cube_faces; ++face)
+        select(
+            {face, 0, 0, 0}, camera.eye, reach_.deepest,
+            [&](const NodeBounds& b) {
+                return (culling.frustum && outside(box_of(b), camera.eye, planes)) ||
+                       (culling.horizon && below_horizon(b, camera.eye, solid));
+            },
+            selection);
     return selection;
 }
 
-void Quadtree::select(const Node& node, const Camera& camera, const Frustum& planes, double solid, Culling culling, Selection& selection) {
+Selection Quadtree::select(Vec3 eye, std::span<const HalfSpace> within, int finest) {
+    Selection selection;
+    for (int face = 0; face < cube_faces; ++face)
+        select(
+            {face, 0, 0, 0}, eye, std::min(finest, reach_.deepest), [&](const NodeBounds& b) { return outside(box_of(b), within); },
+            selection);
+    return selection;
+}
+
+void Quadtree::select(const Node& node, Vec3 eye, int finest, const Culled& culled, Selection& selection) {
     ++selection.visited;
     const NodeBounds b = bounds(node);
-    if ((culling.frustum && outside(box_of(b), camera.eye, planes)) || (culling.horizon && below_horizon(b, camera.eye, solid))) {
+    if (culled(b)) {
         ++selection.culled;
         return;
     }
     const auto next = static_cast<std::size_t>(node.level + 1);
-    if (node.level >= reach_.deepest || distance_to(b, camera.eye) > margin * reach_.reach_m[next]) {
+    if (node.level >= finest || distance_to(b, eye) > margin * reach_.reach_m[next]) {
         selection.nodes.push_back(node);
         return;
     }
-    for (const Node& child : children(node)) select(child, camera, planes, solid, culling, selection);
+    for (const Node& child : children(node)) select(child, eye, finest, culled, selection);
 }
 
 }  // namespace airlight

@@ -2,6 +2,7 @@
 // Uses camera and units.
 #pragma once
 
+#include <functional>
 #include <unordered_map>
 
 #include "terrain/level_of_detail.h"
@@ -29,6 +30,9 @@ public:
     Quadtree(HeightField field, LevelReach reach);
 
     Selection select(const Camera& camera, Culling culling = {});
+    // What of the patches of an eye lies within all of these half-spaces, whether the eye sees it or not; patches finer than `finest` are
+    // left at that level.
+    Selection select(Vec3 eye, std::span<const HalfSpace> within, int finest);
 
     const NodeBounds& bounds(const Node& node);
     const HeightField& field() const { return field_; }
@@ -38,7 +42,8 @@ public:
     double solid_m(Vec3 eye) const;
 
 private:
-    void select(const Node& node, const Camera& camera, const Frustum& frustum, double solid, Culling culling, Selection& selection);
+    using Culled = std::function<bool(const NodeBounds&)>;
+    void select(const Node& node, Vec3 eye, int finest, const Culled& culled, Selection& selection);
 
     HeightField field_;
     LevelReach reach_;

@@ -7,11 +7,13 @@ layout(binding = 10) uniform sampler3D extinction;    // its mean along the way
 layout(binding = 11) uniform sampler2D peak;          // a phase function, even in the root of the scattering angle
 layout(binding = 12) uniform sampler2D sunlight;      // logarithm of the irradiance of the whole sun's disk, [altitude][cosine]
 layout(binding = 13) uniform sampler2D skylight;      // logarithm of that on level ground, [sun_coordinate]
+layout(binding = 14) uniform sampler3D once_share;    // of smooth_light, what was scattered once
 #define AirLight vec3
 
 struct AirSeen {
     AirLight inscattered;
     AirLight transmittance;
+    AirLight once;
 };
 
 vec3 colour_of(AirLight light) { return light; }
@@ -20,7 +22,7 @@ vec3 colour_through(vec3 colour, AirLight seen) { return colour * seen; }
 
 AirSeen air_seen(vec3 direction, float distance_m) {
     AirRay ray;
-    if (!enter_air(direction, ray)) return AirSeen(AirLight(0.0), AirLight(1.0));
+    if (!enter_air(direction, ray)) return AirSeen(AirLight(0.0), AirLight(1.0), AirLight(0.0));
     bool grounded = meets_ground(ray.h, ray.mu, air_shell.x);
     float mu = dot(direction, eye_up.xyz), zenith = angle_between(direction, eye_up.xyz);
     float length = grounded ? distance_to_ground(ray.h, ray.mu, air_shell.x) : distance_to_top(ray.h, ray.mu, air_shell.x, air_shell.y);
@@ -31,10 +33,12 @@ AirSeen air_seen(vec3 direction, float distance_m) {
     vec3 place = (vec3(azimuth, row_of(zenith, mu, grounded), layer) + 0.5) / vec3(textureSize(smooth_light, 0));
     float x = texture_coordinate(sqrt(angle_between(direction, towards_sun.xyz) / pi), textureSize(peak, 0).x);
     vec4 even = textureLod(smooth_light, place, 0.0);
-    vec3 light = exp(even.a) * (even.rgb + textureLod(peaked_light, place, 0.0).rgb * look_up(peak, vec2(x, 0.5)).r);
+    vec3 peaked = textureLod(peaked_light, place, 0.0).rgb * look_up(peak, vec2(x, 0.5)).r;
     AirSeen seen;
     seen.transmittance = exp(-textureLod(extinction, place, 0.0).rgb * way);
-    seen.inscattered = light * (1.0 - seen.transmittance);
+    vec3 scale = exp(even.a) * (1.0 - seen.transmittance);
+    seen.inscattered = scale * (even.rgb + peaked);
+    seen.once = scale * (even.rgb * textureLod(once_share, place, 0.0).rgb + peaked);
     return seen;
 }
 

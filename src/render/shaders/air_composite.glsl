@@ -2,7 +2,8 @@
 // The text of a method stands before this one and answers (docs/decisions/0010-air-methods.md):
 //
 //   AirLight                                            light of some wavelengths, or red, green and blue
-//   struct AirSeen { AirLight inscattered, transmittance; }
+//   struct AirSeen { AirLight inscattered, transmittance, once; }
+//                                                       `once`: of inscattered, the light that was scattered once
 //   AirSeen air_seen(vec3 direction, float distance_m)   the air between the eye and a place; it ends at the ground sphere
 //   AirLight air_sunlight(float h, float mu_s)           irradiance of a surface at an altitude that faces the sun
 //   AirLight air_skylight(float mu_s)                    irradiance of level ground by the whole sky but the sun
@@ -17,6 +18,7 @@ layout(binding = 0) uniform sampler2D depth_buffer;
 layout(binding = 1) uniform sampler2D colour_buffer;
 layout(binding = 2) uniform sampler2D normal_buffer;
 layout(binding = 3) uniform sampler2D material_buffer;
+layout(binding = 7) uniform sampler2D shade_buffer;  // src/render/shafts_pass.h
 layout(location = 0) in vec2 place;
 layout(location = 0) out vec4 radiance;
 
@@ -69,12 +71,14 @@ void main() {
     float width = length(dFdx(direction));
     Surface surface = surface_at(ivec2(gl_FragCoord.xy), direction);
     AirSeen seen = air_seen(direction, surface.there ? length(surface.position) : 1e30);
-    vec3 sum = colour_of(seen.inscattered);
+    // Of light scattered once, and of the sun's on surfaces, shadows leave a share.
+    vec4 shade = textureLod(shade_buffer, 0.5 * place + 0.5, 0.0);
+    vec3 sum = colour_of(seen.inscattered) - (1.0 - shade.rgb) * colour_of(seen.once);
     if (surface.there) {
         SurfaceLight light =
             surface_light(surface.reflectance, surface.material, surface.normal, surface.up, -direction, towards_sun.xyz);
         float mu_s = clamp(dot(surface.up, towards_sun.xyz), -1.0, 1.0);
-        sum += light.of_sun * colour_of(seen.transmittance * air_sunlight(surface.h, mu_s)) +
+        sum += shade.a * light.of_sun * colour_of(seen.transmittance * air_sunlight(surface.h, mu_s)) +
                light.of_sky * colour_of(seen.transmittance * air_skylight(mu_s));
     } else {
         sum += colour_through(sun_disk(direction, width), seen.transmittance);

@@ -6,12 +6,13 @@
 struct AirSeen {
     AirLight inscattered;
     AirLight transmittance;
+    AirLight once;
 };
 
 vec3 colour_through(vec3 colour, AirLight seen) { return colour * colour_of(air.solar_irradiance * seen) / colour_of_sun.rgb; }
 
-RadianceSpectrum scattered(AirlightLight light, float angle) {
-    RadianceSpectrum sum = light.multiple;
+RadianceSpectrum scattered_once(AirlightLight light, float angle) {
+    RadianceSpectrum sum = Spectrum(0.0);
     for (int p = 0; p < airlight_parts; ++p)
         if (p < air.parts) sum += light.single[p] * phase_of(p, angle);
     return sum;
@@ -19,13 +20,14 @@ RadianceSpectrum scattered(AirlightLight light, float angle) {
 
 AirSeen air_seen(vec3 direction, float distance_m) {
     AirRay ray;
-    if (!enter_air(direction, ray)) return AirSeen(AirLight(0.0), AirLight(1.0));
+    if (!enter_air(direction, ray)) return AirSeen(AirLight(0.0), AirLight(1.0), AirLight(0.0));
     AirlightRay way = AirlightRay(ray.h, ray.mu, ray.mu_s, ray.nu, distance_m - ray.empty);
     // Just short of the ground sphere, whose light is not the air's.
     if (meets_ground(ray.h, ray.mu, air.bottom)) way.limit = min(way.limit, 0.999999 * distance_to_ground(ray.h, ray.mu, air.bottom));
-    if (way.limit <= 0.0) return AirSeen(AirLight(0.0), AirLight(1.0));
+    if (way.limit <= 0.0) return AirSeen(AirLight(0.0), AirLight(1.0), AirLight(0.0));
     AirlightLight light = airlight_light(densities, transmittance, source, diffuse, way);
-    return AirSeen(scattered(light, angle_between(direction, towards_sun.xyz)), light.transmittance);
+    RadianceSpectrum once = scattered_once(light, angle_between(direction, towards_sun.xyz));
+    return AirSeen(once + light.multiple, light.transmittance, once);
 }
 
 AirLight air_sunlight(float h, float mu_s) { return air.solar_irradiance * airlight_sunlight(transmittance, min(h, air.top), mu_s); }

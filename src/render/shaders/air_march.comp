@@ -7,6 +7,7 @@ layout(local_size_x = 8, local_size_y = 2) in;
 layout(binding = 0, rgba32f) uniform image3D smooth_light;
 layout(binding = 1, rgba32f) uniform image3D peaked_light;
 layout(binding = 2, rgba32f) uniform image3D missing_light;
+layout(binding = 3, rgba32f) uniform image3D once_share;
 layout(binding = 13) uniform sampler2D peak;  // the reference phase function of what has a peak, even in the root of the scattering angle
 layout(std430, binding = 5) readonly buffer AirWays {
     vec4 ways[];  // of each row: zenith cosine at the eye, and where the ray enters the air; empty way before it; length in the air, negative
@@ -65,7 +66,7 @@ Spectrum taken(Spectrum depth) {
 // the way takes, in units of a scale whose logarithm is kept, since twilight fades by powers of ten; and the mean extinction.
 void add(ivec3 texel, Way way, float distance, AirlightColumns columns, AirlightSums sums) {
     AirlightLight light = airlight_summed(sums, columns);
-    RadianceSpectrum even = light.multiple, peaks = Spectrum(0.0);
+    RadianceSpectrum even = Spectrum(0.0), peaks = Spectrum(0.0);  // scattered once
     for (int p = 0; p < airlight_parts; ++p)
         if (p < air.parts) {
             RadianceSpectrum scattered = light.single[p] * phase_of(p, way.angle);
@@ -73,15 +74,17 @@ void add(ivec3 texel, Way way, float distance, AirlightColumns columns, Airlight
             else even += scattered;
         }
     float x = texture_coordinate(sqrt(way.angle / pi), textureSize(peak, 0).x);
-    vec3 smooth_sum = colour_of(even), peaked_sum = colour_of(peaks) / look_up(peak, vec2(x, 0.5)).r;
+    vec3 once = colour_of(even), smooth_sum = once + colour_of(light.multiple), peaked_sum = colour_of(peaks) / look_up(peak, vec2(x, 0.5)).r;
     vec3 missing = colour_of(air.solar_irradiance * taken(airlight_depth(columns))) / colour_of_sun.rgb;
     if (share.x == 0) {
         smooth_sum += imageLoad(smooth_light, texel).rgb;
         peaked_sum += imageLoad(peaked_light, texel).rgb;
         missing += imageLoad(missing_light, texel).rgb;
+        once += imageLoad(once_share, texel).rgb;
     }
     float scale = 0.0;
     if (share.y == 1) {
+        once = clamp(once / max(smooth_sum, 1e-30), 0.0, 1.0);
         vec3 taken = max(missing, vec3(1e-9)), over = smooth_sum / taken;
         float brightest = max(max(over.r, over.g), max(over.b, 1e-20));
         scale = log(brightest);
@@ -92,6 +95,7 @@ void add(ivec3 texel, Way way, float distance, AirlightColumns columns, Airlight
     imageStore(smooth_light, texel, vec4(smooth_sum, scale));
     imageStore(peaked_light, texel, vec4(peaked_sum, 0.0));
     imageStore(missing_light, texel, vec4(missing, 0.0));
+    imageStore(once_share, texel, vec4(once, 0.0));
 }
 
 void main() {

@@ -8,6 +8,7 @@ layout(binding = 0) uniform sampler2D depth_buffer;
 layout(binding = 1) uniform sampler2D colour_buffer;
 layout(binding = 2) uniform sampler2D normal_buffer;
 layout(binding = 3) uniform sampler2D material_buffer;
+layout(binding = 7) uniform sampler2D shade_buffer;  // src/render/shafts_pass.h
 layout(std140, binding = 2) uniform Lights {
     vec4 towards_sun;  // of length one
     vec4 sun;          // irradiance on a surface that faces it
@@ -29,5 +30,6 @@ void main() {
     vec3 up = normalize(vec3(camera_eye_m.xyz + dvec3(position)));
     float day = smoothstep(-0.05, 0.05, dot(up, towards_sun.xyz));
     SurfaceLight light = surface_light(colour.rgb, material, n, up, -normalize(position), towards_sun.xyz);
-    radiance = vec4(day * (sun.rgb * light.of_sun + sky.rgb * light.of_sky), 1.0);
+    float sunlit = textureLod(shade_buffer, 0.5 * place + 0.5, 0.0).a;
+    radiance = vec4(day * (sunlit * sun.rgb * light.of_sun + sky.rgb * light.of_sky), 1.0);
 }

@@ -1,0 +1,35 @@
+#version 450 core
+// The slopes of the ground on a slice, and the least and the greatest in each block of sixteen: one level of Chen's tree is enough, since
+// a ray has a hundred blocks at most and nearly all are wholly lit or dark.
+#include "shadow.glsl"
+#include "shafts_slices.glsl"
+layout(local_size_x = 64) in;
+layout(binding = 0, r32f) uniform writeonly image2D slopes;
+layout(binding = 1, rgba32f) uniform writeonly image2D blocks;
+
+// The highest ground on a line along the light; below everything if there is none. Where the finest map saw none there is none above the
+// least height that it holds: what coarser ones know of is below.
+float ground_on_line(vec2 across) {
+    float highest = 1e30;
+    for (int i = 0; i < shadow_count.x; ++i) {
+        vec4 place = cascade_place[i];
+        vec2 at = (across - place.xy) / place.w * 0.5 + 0.5;
+        if (at != clamp(at, 0.0, 0.99999)) continue;
+        float depth = texelFetch(shadow_maps, ivec2(at * float(shadow_count.z)) + ivec2(0, i * shadow_count.z), 0).r;
+        if (depth > 0.0) return min(highest, place.z + depth * cascade_depth[i].x - 0.5 * cascade_depth[i].y);
+        highest = min(highest, place.z);
+    }
+    return -1e30;
+}
+
+void main() {
+    int block = int(gl_LocalInvocationID.x), slice = int(gl_WorkGroupID.x);
+    float angle = slice_angles.x + (float(slice) + 0.5) * slice_angles.y;
+    vec2 direction = vec2(cos(angle), sin(angle)), range = vec2(1e30, -1e30);
+    for (int k = block * slice_counts.z; k < (block + 1) * slice_counts.z; ++k) {
+        float across = across_light(float(k) + 0.5), slope = ground_on_line(across * direction) / across;
+        range = vec2(min(range.x, slope), max(range.y, slope));
+        imageStore(slopes, ivec2(k, slice), vec4(slope));
+    }
+    imageStore(blocks, ivec2(block, slice), vec4(range, 0.0, 0.0));
+}

@@ -1,0 +1,43 @@
+// Where the shadow maps of a view lie: squares across the sun's light, each about a range of distances from the eye
+// [Engel2006; Valient2008]. docs/decisions/0013-shadows.md. Uses camera and terrain; knows no GPU.
+#pragma once
+
+#include <vector>
+
+#include "camera/camera.h"
+#include "terrain/node_bounds.h"
+
+namespace airlight::render {
+
+// Axes across the sun's light, of length one and perpendicular. They depend on the sun alone, so that texels stay where they are.
+struct LightAxes {
+    Vec3 right, up, towards_sun;
+};
+LightAxes light_axes(Vec3 towards_sun);
+
+// A square of texels across the light, and a range of heights along it.
+struct Cascade {
+    double from_m, to_m;  // distances from the eye whose points within the camera's view it holds
+    Vec3 centre;          // of the square, and of those points; along the light's axes, relative to the eye
+    double half_width_m;  // of the square
+    double texel_m;
+    double lowest_m, highest_m;  // along the light, relative to the eye: all of those points, and all ground between them and the sun
+};
+
+inline constexpr int most_cascades = 8;
+
+// Distances double twice from cascade to cascade, from 64 m on: they are the same whatever the eye does, and so are the sizes of texels.
+//   field    of the ground that casts the shadows
+//   texels   along a square's side
+// Cascades begin with the nearest in which there may be ground and end with the farthest; at most most_cascades, none if there is none.
+// A square's corner falls on a whole texel of the world.
+std::vector<Cascade> cascades(const Camera& camera, const LightAxes& axes, const HeightField& field, int texels);
+
+// What may shade a point of a cascade that the camera sees: the column of its square, and those planes of the view whose inner side holds
+// all that lies towards the sun.
+std::vector<HalfSpace> casters_within(const Cascade& cascade, const Camera& camera, const LightAxes& axes);
+
+// The deepest level of patches that a cascade's texels can tell from the next.
+int finest_level(const Cascade& cascade, double radius_m);
+
+}  // namespace airlight::render

@@ -1,0 +1,200 @@
+// The sun's shadow maps against rays through the field of heights on the CPU, from the ground to space, by day and at sunset.
+// AIRLIGHT_PICTURES=<folder> keeps the masks.
+
+#include <doctest/doctest.h>
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include "core/parallel.h"
+#include "image/png.h"
+#include "render/camera_block.h"
+#include "render/geometry_buffer.h"
+#include "render/shaders.h"
+#include "render/shadow_pass.h"
+#include "terrain/procedural_relief.h"
+#include "tools/gpu_case.h"
+
+using namespace airlight;
+using namespace airlight::test;
+
+namespace {
+
+constexpr int width = 80, height = 45;
+
+template <class T>
+T must(Result<T> made) {
+    if (!made) FAIL(made.error().message());
+    return std::move(*made);
+}
+
+// The mask of a view: for each pixel, 1 where the sun sees its surface; and the depths.
+struct Masked {
+    std::vector<float> visibility, depth;  // the first row is the lowest
+};
+
+class Scene {
+public:
+    explicit Scene(const HeightField& field)
+        : terrain_(must(render::TerrainPass::create(
+              field, {.pixels_per_radian = 0.5 * height / std::tan(30.0 * deg), .pixels_of_error = 1.0, .pixels_of_square = 5.0}))) {
+        const auto read = [](const std::string& path) -> Result<std::string> {
+            const Result<gpu::ShaderText> file = render::shader_text(path);
+            if (!file) return file.error();
+            return file->text;
+        };
+        const gpu::ShaderText fragment = must(gpu::resolve_includes(R"(#version 450 core
+#include "camera.glsl"
+#include "shadow.glsl"
+layout(binding = 0) uniform sampler2D depth_buffer;
+layout(location = 0) in vec2 place;
+layout(location = 0) out vec4 seen;
+void main() {
+    float depth = texelFetch(depth_buffer, ivec2(gl_FragCoord.xy), 0).r;
+    seen = vec4(depth > 0.0 ? sun_visibility(position_at(place, depth)) : 1.0);
+}
+)",
+                                                                    gpu::ReadText(read)));
+        const gpu::Stage stages[] = {{GL_VERTEX_SHADER, must(render::shader_text("fullscreen.vert"))}, {GL_FRAGMENT_SHADER, fragment}};
+        mask_.emplace(must(gpu::Program::link("mask", stages)));
+    }
+
+    Masked draw(const Camera& camera, Vec3 towards_sun) {
+        camera_.bind(camera);
+        surfaces_.begin();
+        terrain_.draw(camera);
+        render::GeometryBuffer::end();
+        shadows_.draw(terrain_, camera, towards_sun);
+        shadows_.bind();
+        target_.bind();
+        surfaces_.depth().bind_sampler(0);
+        mask_->use();
+        triangle_.draw_triangles(3);
+        Masked masked{std::vector<float>(4 * width * height), std::vector<float>(width * height)};
+        texture_.read(masked.visibility);
+        surfaces_.depth().read(masked.depth);
+        return masked;
+    }
+
+    const render::ShadowPass& shadows() const { return shadows_; }
+
+private:
+    gpu::Texture texture_{{width, height}};
+    render::GeometryBuffer surfaces_ = must(render::GeometryBuffer::create(width, height));
+    gpu::Framebuffer target_ = must(gpu::Framebuffer::create({&texture_}));
+    render::TerrainPass terrain_;
+    render::ShadowPass shadows_ = must(render::ShadowPass::create());
+    render::CameraBlock camera_;
+    std::optional<gpu::Program> mask_;
+    gpu::VertexArray triangle_;
+};
+
+double ground_m(const HeightField& field, Vec3 p) {
+    const double h = field.sample(glm::normalize(p), 1.0).height_m;
+    return field.sea ? std::max(h, 0.0) : h;
+}
+
+// What the field says of a point: the sun sees it, the ground hides it, or it is too near the edge between the two to say: the ray passes
+// the ground within `margin_m`, or within a third of how high it has risen above the horizontal.
+enum class Seen { lit, shadowed, edge };
+Seen cast(const HeightField& field, Vec3 from, Vec3 towards_sun, double margin_m) {
+    bool doubtful = false;
+    const double rise = glm::dot(glm::normalize(from), towards_sun) / 3.0;
+    for (double t = margin_m; t < 2e6;) {
+        const Vec3 p = from + t * towards_sun;
+        const double above = glm::length(p) - field.radius_m;
+        if (above > field.whole.high && glm::dot(p, towards_sun) > 0.0) break;
+        const double clear = above > field.whole.high ? above - field.whole.high : above - ground_m(field, p);
+        if (clear < -margin_m) return Seen::shadowed;
+        doubtful = doubtful || clear < std::min(margin_m, rise * t);
+        t += std::max(0.5 * margin_m, 0.4 * clear);
+    }
+    return doubtful ? Seen::edge : Seen::lit;
+}
+
+void keep_picture(const Masked& masked, const std::string& name) {
+    const char* folder = std::getenv("AIRLIGHT_PICTURES");
+    if (!folder) return;
+    Image image(width, height, 3);
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column) {
+            const auto at = static_cast<std::size_t>((height - 1 - row) * width + column);
+            for (std::size_t c = 0; c < 3; ++c)
+                image.pixel(column, row)[c] = masked.depth[at] > 0.0f || c == 2 ? masked.visibility[4 * at] : 0.0f;
+        }
+    CHECK(write_png(std::filesystem::path(folder) / (name + ".png"), image));
+}
+
+struct Counts {
+    std::size_t edges = 0, sure = 0, shadowed = 0, leaks = 0, acne = 0;
+};
+
+Counts compare(const HeightField& field, const Camera& camera, const Masked& masked, const render::ShadowPass& shadows, Vec3 sun) {
+    std::vector<Seen> truth(width * height, Seen::edge);
+    parallel_for(width * height, [&](std::size_t at) {
+        if (masked.depth[at] == 0.0f) return;
+        const double x = (static_cast<double>(at % width) + 0.5) / width * 2.0 - 1.0,
+                     y = (static_cast<double>(at / width) + 0.5) / height * 2.0 - 1.0;
+        const Vec3 way = direction_at(camera, x, y);
+        const double distance = render::near_m / static_cast<double>(masked.depth[at]) / glm::dot(way, camera.forward);
+        Vec3 p = camera.eye + distance * way;
+        const double above = glm::length(p) - field.radius_m, ground = ground_m(field, p);
+        p *= (field.radius_m + std::max(above, ground)) / (field.radius_m + above);
+        const auto cascade = std::find_if(shadows.cascades().begin(), shadows.cascades().end(),
+                                          [&](const render::Cascade& c) { return distance <= c.to_m; });
+        REQUIRE(cascade != shadows.cascades().end());
+        truth[at] = cast(field, p, sun, 2.0 * cascade->texel_m);
+    });
+    Counts counts;
+    for (std::size_t at = 0; at < truth.size(); ++at) {
+        if (masked.depth[at] == 0.0f) continue;
+        counts.edges += truth[at] == Seen::edge;
+        counts.sure += truth[at] != Seen::edge;
+        counts.shadowed += truth[at] == Seen::shadowed;
+        counts.leaks += truth[at] == Seen::shadowed && masked.visibility[4 * at] > 0.5f;
+        counts.acne += truth[at] == Seen::lit && masked.visibility[4 * at] < 0.5f;
+    }
+    return counts;
+}
+
+}  // namespace
+
+TEST_CASE("a surface is in the sun where the field of heights leaves its light a way") {
+    const GpuCase gpu_case;
+    if (!gpu_case) return;
+    const HeightField field = procedural_height({.sea = false});
+    Scene scene(field);
+    const double latitude = 36.2 * deg, longitude = 31.5 * deg;
+    fmt::print("  {:>8} {:>5} {:>9} {:>10} {:>9} {:>9} {:>9} {:>9}\n", "eye, m", "sun", "cascades", "patches", "edges, %", "shadow, %",
+               "leaks, %", "acne, %");
+    for (const auto& [above_m, pitch_deg] : {std::pair{2.0, -3.0}, {3e3, -15.0}, {4e5, -35.0}})
+        for (const double sun_deg : {50.0, 80.0, 87.0}) {
+            const double ground = field.sample(direction_of(latitude, longitude), 1.0).height_m;
+            Camera camera = look(Viewpoint{.latitude = latitude,
+                                           .longitude = longitude,
+                                           .altitude_m = ground + above_m,
+                                           .heading = 55.0 * deg,
+                                           .pitch = pitch_deg * deg},
+                                 field.radius_m);
+            camera.width = width, camera.height = height;
+            const Vec3 sun =
+                look(Viewpoint{.latitude = latitude, .longitude = longitude, .heading = 300.0 * deg, .pitch = (90.0 - sun_deg) * deg},
+                     field.radius_m)
+                    .forward;
+            const Masked masked = scene.draw(camera, sun);
+            keep_picture(masked, fmt::format("shadow-{:.0f}-{:.0f}", above_m, sun_deg));
+            const Counts n = compare(field, camera, masked, scene.shadows(), sun);
+            const auto percent = [&](std::size_t part, std::size_t of) {
+                return 100.0 * static_cast<double>(part) / static_cast<double>(of);
+            };
+            fmt::print("  {:>8.0f} {:>5.0f} {:>9} {:>10} {:>9.1f} {:>9.1f} {:>9.2f} {:>9.2f}\n", above_m, sun_deg,
+                       scene.shadows().cascades().size(), scene.shadows().patches(), percent(n.edges, n.edges + n.sure),
+                       percent(n.shadowed, n.sure), percent(n.leaks, n.sure), percent(n.acne, n.sure));
+            CHECK(percent(n.leaks, n.sure) < 0.5);
+            CHECK(percent(n.acne, n.sure) < 0.5);
+        }
+}
