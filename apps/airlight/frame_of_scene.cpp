@@ -38,7 +38,9 @@ Result<DrawnFrame> draw_scene(const Scene& scene, int width, int height, const T
     if (!tables) return tables.error();
     Result<std::optional<render::AirPass>> pass = air_pass_of(*tables, scene);
     if (!pass) return pass.error();
-    Result<render::Frame> frame = render::Frame::create(*context, *ground, *colour, *camera, *std::move(pass));
+    Result<render::ShaftsPass> shafts = shafts_pass_of(*air, scene, width, height);
+    if (!shafts) return shafts.error();
+    Result<render::Frame> frame = render::Frame::create(*context, *ground, *colour, *camera, *std::move(pass), *std::move(shafts));
     if (!frame) return frame.error();
     Result<Image> image = frame->draw(*camera, lights_of(scene));
     if (!image) return image.error();

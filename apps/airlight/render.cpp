@@ -27,6 +27,7 @@ struct RenderOptions {
     int width = 1280;
     int height = 720;
     std::string air;
+    std::string shafts;
     std::string exposure = "auto";
     std::string tone = "filmic";
     std::string sizes = table_sizes_text({});
@@ -68,6 +69,11 @@ Result<Wishes> wishes_of(const RenderOptions& given) {
         const std::optional<AirMethodName> method = air_method_named(given.air);
         if (!method) return Error{"--air", fmt::format("\"{}\" is none of: {}", given.air, air_method_names), ""};
         scene->air.method = *method;
+    }
+    if (!given.shafts.empty()) {
+        const std::optional<ShaftsName> shafts = shafts_named(given.shafts);
+        if (!shafts) return Error{"--shafts", fmt::format("\"{}\" is none of: {}", given.shafts, shafts_names), ""};
+        scene->air.shafts = *shafts;
     }
     if (given.width < 1 || given.height < 1 || given.width > 16384 || given.height > 16384)
         return Error{"--width, --height", fmt::format("{} x {} is out of range: each must be from 1 to 16384", given.width, given.height),
@@ -138,6 +144,10 @@ Command render_command(CLI::App& airlight) {
     render->add_option("--width", given->width, "of the picture, in pixels")->option_text("<n>")->capture_default_str();
     render->add_option("--height", given->height, "of the picture, in pixels")->option_text("<n>")->capture_default_str();
     render->add_option("--air", given->air, "how the light of the air is computed: airlight or exact (default: what the scene says)")
+        ->option_text("<method>");
+    render
+        ->add_option("--shafts", given->shafts,
+                     "how shadows in the air are found: epipolar, marched, planes, volumes, brute or none (default: what the scene says)")
         ->option_text("<method>");
     render->add_option("--exposure", given->exposure, "of PNG files: auto, or an exposure value at ISO 100 (15: a sunny day)")
         ->option_text("<auto|EV>")

@@ -37,6 +37,24 @@ Result<std::unique_ptr<render::AirMethod>> method_of(const Tables& tables, std::
     return render::airlight_air(tables, colours);
 }
 
+render::Shafts shafts_of(ShaftsName name) {
+    switch (name) {
+        case ShaftsName::epipolar:
+            return render::Shafts::epipolar;
+        case ShaftsName::marched:
+            return render::Shafts::marched;
+        case ShaftsName::planes:
+            return render::Shafts::planes;
+        case ShaftsName::volumes:
+            return render::Shafts::volumes;
+        case ShaftsName::brute:
+            return render::Shafts::brute;
+        case ShaftsName::none:
+            break;
+    }
+    return render::Shafts::none;
+}
+
 }  // namespace
 
 render::Lights lights_of(const Scene& scene) {
@@ -71,6 +89,10 @@ Result<std::optional<render::AirPass>> air_pass_of(const std::optional<Tables>& 
     Result<render::AirPass> pass = render::AirPass::create({tables->atmosphere(), tables->wavelengths(), colours}, *std::move(method));
     if (!pass) return pass.error();
     return std::optional<render::AirPass>(*std::move(pass));
+}
+
+Result<render::ShaftsPass> shafts_pass_of(const std::optional<Atmosphere>& air, const Scene& scene, int width, int height) {
+    return render::ShaftsPass::create(width, height, shafts_of(scene.air.shafts), air ? &*air : nullptr);
 }
 
 void bring_into_gamut(Image& image) {

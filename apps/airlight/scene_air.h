@@ -6,6 +6,7 @@
 #include "frame_of_scene.h"
 #include "render/air_pass.h"
 #include "render/light_pass.h"
+#include "render/shafts_pass.h"
 #include "transport/tables.h"
 
 namespace airlight::cli {
@@ -21,6 +22,9 @@ Result<std::optional<Tables>> tables_of(const std::optional<Atmosphere>& air, co
 
 // Its pictures are in cd m-2 of the primaries of sRGB. An OpenGL context is current.
 Result<std::optional<render::AirPass>> air_pass_of(const std::optional<Tables>& tables, const Scene& scene);
+
+// The scene's shadows, for pictures of a size. An OpenGL context is current.
+Result<render::ShaftsPass> shafts_pass_of(const std::optional<Atmosphere>& air, const Scene& scene, int width, int height);
 
 // Colours beyond the primaries, which a few wavelengths of a deep red sun have, are brought to their edge.
 void bring_into_gamut(Image& image);

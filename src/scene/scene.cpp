@@ -15,6 +15,16 @@ std::optional<AirMethodName> air_method_named(std::string_view name) {
     return std::nullopt;
 }
 
+std::optional<ShaftsName> shafts_named(std::string_view name) {
+    if (name == "epipolar") return ShaftsName::epipolar;
+    if (name == "marched") return ShaftsName::marched;
+    if (name == "planes") return ShaftsName::planes;
+    if (name == "volumes") return ShaftsName::volumes;
+    if (name == "brute") return ShaftsName::brute;
+    if (name == "none") return ShaftsName::none;
+    return {};
+}
+
 Result<HeightField> ground_of(const Scene& scene) {
     const GroundScene& g = scene.ground;
     if (!g.elevation) {

@@ -46,8 +46,15 @@ enum class AirMethodName { airlight, exact };
 inline constexpr std::string_view air_method_names = "airlight exact";
 std::optional<AirMethodName> air_method_named(std::string_view name);
 
+// How the parts of the air that lie in the ground's shadow are found: docs/decisions/0013-shadows.md. `none` leaves out these, not the
+// shadows on the ground.
+enum class ShaftsName { epipolar, marched, planes, volumes, brute, none };
+inline constexpr std::string_view shafts_names = "epipolar marched planes volumes brute none";
+std::optional<ShaftsName> shafts_named(std::string_view name);
+
 struct AirScene {
     AirMethodName method = AirMethodName::airlight;
+    ShaftsName shafts = ShaftsName::epipolar;
 };
 
 struct Scene {

@@ -33,6 +33,10 @@ void read_air(TomlInput& file, Scene& scene) {
         if (const auto method = air_method_named(*word)) scene.air.method = *method;
         else air->refuse_word("method", air_method_names);
     }
+    if (const auto word = air->text("shafts")) {
+        if (const auto shafts = shafts_named(*word)) scene.air.shafts = *shafts;
+        else air->refuse_word("shafts", shafts_names);
+    }
     air->refuse_unknown_keys();
 }
 

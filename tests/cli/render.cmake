@@ -3,7 +3,7 @@ set(mountains ${PROJECT_SOURCE_DIR}/data/demo/mountains.toml)
 if(AIRLIGHT_GPU)
   airlight_cli_help(render)
   airlight_cli_test("render: a scene gives light and a picture, and says who drew it in what time"
-    OUT "^quantity,value,unit$" "^device,\".+\",$" "^pass terrain,[0-9.]+,ms$" "^pass air,[0-9.]+,ms$" "^patches,[0-9]+,$" "^file,m.exr,$" "^file,m.png,$"
+    OUT "^quantity,value,unit$" "^device,\".+\",$" "^pass terrain,[0-9.]+,ms$" "^pass shadows,[0-9.]+,ms$" "^pass shafts,[0-9.]+,ms$" "^pass air,[0-9.]+,ms$" "^patches,[0-9]+,$" "^file,m.exr,$" "^file,m.png,$"
     COMMAND render ${mountains} ${small_air} --width 64 --height 36 -o m.exr -o m.png)
 else()
   airlight_cli_test("render: a build without OpenGL says so" EXIT 1 ERR "built without OpenGL" COMMAND render ${mountains} -o m.png)

@@ -28,11 +28,11 @@ bool says(const std::string& message, std::string_view words) {
 }  // namespace
 
 TEST_CASE("a scene says its ground, camera and sun, and leaves the rest at what the document says") {
-    const Result<Scene> scene =
-        parse_scene(std::string(camera) +
-                        "heading = \"120 deg\"\npitch = \"-5 deg\"\n"
-                        "[ground]\nelevation = \"heights.tif\"\nsea = false\nradius = \"3390 km\"\n[sun]\nzenith = \"80 deg\"\n[air]\nmethod = \"exact\"\n",
-                    "folder/scene.toml");
+    const Result<Scene> scene = parse_scene(std::string(camera) +
+                                                "heading = \"120 deg\"\npitch = \"-5 deg\"\n"
+                                                "[ground]\nelevation = \"heights.tif\"\nsea = false\nradius = \"3390 km\"\n[sun]\nzenith = "
+                                                "\"80 deg\"\n[air]\nmethod = \"exact\"\nshafts = \"planes\"\n",
+                                            "folder/scene.toml");
     if (!scene) FAIL(scene.error().message());
     CHECK(scene->camera.viewpoint.latitude == doctest::Approx(46.0 * deg));
     CHECK(scene->camera.viewpoint.altitude_m == 20e3);
@@ -42,6 +42,7 @@ TEST_CASE("a scene says its ground, camera and sun, and leaves the rest at what 
     CHECK(!scene->ground.sea);
     CHECK(scene->ground.radius_m == 3.39e6);
     CHECK(scene->air.method == AirMethodName::exact);
+    CHECK(scene->air.shafts == ShaftsName::planes);
     CHECK(parse_scene(camera, "scene.toml")->air.method == AirMethodName::airlight);
     CHECK(scene->sun.zenith == doctest::Approx(80.0 * deg));
     CHECK(scene->sun.azimuth == doctest::Approx(180.0 * deg));
@@ -63,6 +64,7 @@ TEST_CASE("a wrong scene is one message with file, line, key, value, the rule an
     says(error_of(std::string(camera) + "[ground]\nsea = \"yes\"\n"), "it must be true or false");
     says(error_of(std::string(camera) + "[ground]\nseed = 1.5\n"), "a whole number");
     says(error_of(std::string(camera) + "[air]\nmethod = \"exakt\"\n"), "air.method = \"exakt\": it must be one of: airlight exact");
+    says(error_of(std::string(camera) + "[air]\nshafts = \"planets\"\n"), "air.shafts = \"planets\": it must be one of: epipolar");
     says(error_of(std::string(camera) + "[planet]\n"), "planet is no key");
     says(error_of(""), "camera is missing");
     says(error_of("[camera\n"), "scene.toml:1: it is not TOML");
