@@ -7,7 +7,7 @@ FIGURES := density_profile mean_density sky_columns sky_parameter phase_function
 .PHONY: help setup build demo test truth models models-grounds figures bench fuzz check sanitize install clean
 
 help:
-	@echo 'make demo      install what is missing, build, and compute a real sky; names the files it wrote'
+	@echo 'make demo      install what is missing, build, and compute a real sky and frames of the real Earth; names the files it wrote'
 	@echo 'make test      the same set-up, then every test'
 	@echo 'make truth     every row of the independent figures in ../shared/reference, ending in a verdict (about ten minutes)'
 	@echo 'make models    every model against the reference: docs/models.md, and out/models/report.html (shows the time left; goes on if stopped)'
@@ -29,6 +29,7 @@ build: setup build/release/build.ninja
 
 # DEMO=small computes everything with tiny tables and pictures.
 demo: setup build/release/build.ninja
+	@tools/install-packages packages/debian-demo.txt
 	cmake --build --preset release --target airlight
 	tools/demo build/release/apps/airlight/airlight out/demo $(DEMO)
 
