@@ -143,7 +143,9 @@ Command render_command(CLI::App& airlight) {
         ->required();
     render->add_option("--width", given->width, "of the picture, in pixels")->option_text("<n>")->capture_default_str();
     render->add_option("--height", given->height, "of the picture, in pixels")->option_text("<n>")->capture_default_str();
-    render->add_option("--air", given->air, "how the light of the air is computed: airlight or exact (default: what the scene says)")
+    render
+        ->add_option("--air", given->air,
+                     "how the light of the air is computed: airlight, bruneton2008 or exact (default: what the scene says)")
         ->option_text("<method>");
     render
         ->add_option("--shafts", given->shafts,

@@ -7,6 +7,7 @@
 #include "atmosphere/presets.h"
 #include "render/air_airlight.h"
 #include "render/air_exact.h"
+#include "render/bruneton2008_air.h"
 #include "spectrum/colour.h"
 #include "spectrum/colour_weights.h"
 #include "spectrum/solar.h"
@@ -32,8 +33,17 @@ std::vector<Vec3> colours_of(const Atmosphere& air, const Scene& scene) {
     return colours;
 }
 
+Result<std::unique_ptr<render::AirMethod>> bruneton2008_air(const Tables& tables, std::span<const Vec3> colours) {
+    const Result<std::shared_ptr<const render::Bruneton2008Programs>> programs = render::bruneton2008_programs();
+    if (!programs) return programs.error();
+    render::Bruneton2008Bake bake(*programs, tables.atmosphere(), tables.wavelengths(), render::fine_texels,
+                                  {.sizes = render::sizes_around_points, .orders = tables.settings().orders});
+    return std::unique_ptr<render::AirMethod>(std::make_unique<render::Bruneton2008Air>(std::move(bake), colours));
+}
+
 Result<std::unique_ptr<render::AirMethod>> method_of(const Tables& tables, std::span<const Vec3> colours, AirMethodName name) {
     if (name == AirMethodName::exact) return render::exact_air(tables, colours);
+    if (name == AirMethodName::bruneton2008) return bruneton2008_air(tables, colours);
     return render::airlight_air(tables, colours);
 }
 

@@ -10,6 +10,7 @@ struct Bruneton2008 {
     int view_size;  // even: half of the texels for rays to the ground, half for the rest
     int sun_size;
     int nu_size;
+    bool twilight;  // whether the sun's axis is transport's, finer in twilight and on to 120 degrees, and not the paper's
 };
 
 FN Bruneton2008 bruneton2008(Length bottom, Length top, int altitude_size, int view_size, int sun_size, int nu_size) {
@@ -20,6 +21,7 @@ FN Bruneton2008 bruneton2008(Length bottom, Length top, int altitude_size, int v
     shape.view_size = view_size;
     shape.sun_size = sun_size;
     shape.nu_size = nu_size;
+    shape.twilight = false;
     return shape;
 }
 
@@ -65,12 +67,27 @@ FN Number bruneton2008_ground_cosine(Length h, Number x, Length bottom) {
     return clamp(-(h * (2.0 * bottom + h) + d * d) / (2.0 * r * d), Number(-1.0), Number(1.0));
 }
 
+// Light on the way to the ground is nothing at the ground, and grows with the way until it is deep: over this it is smooth there, where
+// a table has few altitudes. `d` is the way.
+const Length bruneton2008_knee = 3e4 * m;
+FN Number bruneton2008_gain(Length d) {
+    return d / (d + bruneton2008_knee);
+}
+
 // Sun: texels crowd towards the horizon and end where the sun is 11.5 degrees below it. [BrunetonNeyret2008, section 4]
 FN Number bruneton2008_sun_coordinate(Number mu_s) {
     return clamp((1.0 - exp(-3.0 * max(mu_s, Number(-0.2)) - 0.6)) / (1.0 - exp(Number(-3.6))), Number(0.0), Number(1.0));
 }
 FN Number bruneton2008_sun_of_coordinate(Number x) {
     return clamp(-(log(1.0 - x * (1.0 - exp(Number(-3.6)))) + 0.6) / 3.0, Number(-0.2), Number(1.0));
+}
+
+// The same on the axis that a shape has.
+FN Number bruneton2008_sun_coordinate(Number mu_s, bool twilight) {
+    return twilight ? sun_coordinate(mu_s) : bruneton2008_sun_coordinate(mu_s);
+}
+FN Number bruneton2008_sun_of_coordinate(Number x, bool twilight) {
+    return twilight ? sun_of_coordinate(x) : bruneton2008_sun_of_coordinate(x);
 }
 
 // Where a view finds its light in the scattering tables.
@@ -86,7 +103,7 @@ struct Bruneton2008Place {
 // perspective are on one side of the horizon.
 FN Bruneton2008Place bruneton2008_place(IN(Bruneton2008) shape, Length h, Number mu, Number mu_s, Number nu, bool ground) {
     Bruneton2008Place place;
-    Number sun = texture_coordinate(bruneton2008_sun_coordinate(mu_s), shape.sun_size);
+    Number sun = texture_coordinate(bruneton2008_sun_coordinate(mu_s, shape.twilight), shape.sun_size);
     Number x = clamp(0.5 + 0.5 * nu, Number(0.0), Number(1.0)) * (Number(shape.nu_size) - 1.0);
     Number texel = min(floor(x), Number(shape.nu_size) - 2.0);
     place.weight = x - texel;

@@ -152,9 +152,8 @@ f32::AirlightRule airlight_rule(int nodes) {
     return rule;
 }
 
-AirlightTables airlight_tables(const Tables::Pack& pack, int nodes) {
-    const AltitudeAxis density_axis(pack.air.shell.top_m, jumps_of(pack.air), density_texels);
-    const PackAir air = pack_air(pack.optics, sizes);
+AirlightTables airlight_medium(const PackAir& air, const TableSizes& sizes, int nodes) {
+    const AltitudeAxis density_axis(air.shell.top_m, jumps_of(air), density_texels);
     AirlightTables t{};
     t.air.bottom = f32::Length::of(static_cast<float>(air.shell.bottom_m));
     t.air.top = f32::Length::of(static_cast<float>(air.shell.top_m));
@@ -180,6 +179,12 @@ AirlightTables airlight_tables(const Tables::Pack& pack, int nodes) {
     t.air.cosine_texels = sizes.transmittance_mu;
     t.air.rule = airlight_rule(nodes);
     t.densities = density_rows(air, density_axis);
+    return t;
+}
+
+AirlightTables airlight_tables(const Tables::Pack& pack, int nodes) {
+    const PackAir air = pack_air(pack.optics, sizes);
+    AirlightTables t = airlight_medium(air, sizes, nodes);
     t.transmittance = packed_transmittance(air);
     t.source = packed_source(pack, air.source_axis);
     t.diffuse = packed_diffuse(pack);

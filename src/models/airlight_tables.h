@@ -41,7 +41,11 @@ struct AirlightTables {
     f32::IrradianceSpectrum diffuse_on_ground(float mu_s) const;
 };
 
-// Samples the tables of a pack anew, geometrically between their texels. `nodes`: of a piece of a ray, 2 to airlight_nodes.
+// The air alone, its densities, and the shape of tables of these sizes, which are left empty. `nodes`: of a piece of a ray, 2 to
+// airlight_nodes. `air`: made for the same sizes.
+AirlightTables airlight_medium(const PackAir& air, const TableSizes& sizes, int nodes);
+
+// Samples the tables of a pack anew, geometrically between their texels.
 AirlightTables airlight_tables(const Tables::Pack& pack, int nodes);
 
 // Gauss's rule of 2 to airlight_nodes nodes.

@@ -9,6 +9,8 @@ struct Bruneton2008Settings {
     int view = 128;
     int sun = 32;
     int nu = 8;
+    // The sun's texels crowd around twilight and go on to 120 degrees from the zenith, as those of the source; not as in the paper.
+    bool twilight = false;
     // Single Mie scattering at one wavelength alone, its colour by the rule of proportion.
     bool four_channels = false;
     // Scattering tables of 256 levels. [Sperlhofer2011, section 5.2.2]

@@ -28,6 +28,7 @@ double fraction(int i, int size) { return static_cast<double>(i) / (size - 1); }
 Bruneton2008Tables::Bruneton2008Tables(const Tables::Pack& pack, const Bruneton2008Settings& settings) : pack_(pack), settings_(settings) {
     shape_ = f32::bruneton2008(metres(pack.air.shell.bottom_m), metres(pack.air.shell.top_m), settings.altitude, settings.view,
                                settings.sun, settings.nu);
+    shape_.twilight = settings.twilight;
     for (std::size_t p = 0; p < pack.optics.parts.size(); ++p) {
         if (!pack.optics.parts[p].scatters) continue;
         if (pack.optics.parts[p].phase.is_rayleigh() && !air_) air_ = parts_.size();
@@ -87,7 +88,7 @@ void Bruneton2008Tables::fill_row(int view, int altitude) const {
     const Gathered higher{.single = false, .source = &pack_.tables.source, .diffuse_on_ground = nullptr, .direct_on_ground = false};
     for (int n = 0; n < shape_.nu_size; ++n)
         for (int s = 0; s < shape_.sun_size; ++s) {
-            const double mu_s = f64::bruneton2008_sun_of_coordinate(fraction(s, shape_.sun_size)).value;
+            const double mu_s = f64::bruneton2008_sun_of_coordinate(fraction(s, shape_.sun_size), shape_.twilight).value;
             // Angles that view and sun cannot make go on as the nearest that they can.
             const double sines = std::sqrt(std::max(0.0, (1.0 - mu * mu) * (1.0 - mu_s * mu_s)));
             const double nu = std::clamp(2.0 * fraction(n, shape_.nu_size) - 1.0, mu * mu_s - sines, mu * mu_s + sines);

@@ -11,6 +11,7 @@
 #include "transport/harmonics.h"
 #include "transport/pack_arithmetic.h"
 #include "transport/ray_light.h"
+#include "transport/view_rule.h"
 
 namespace airlight {
 
@@ -25,43 +26,13 @@ constexpr HarmonicLayout layout{20};
 constexpr int nodes_per_piece = 12;
 
 // Directions of quadrature: sky and ground apart, both crowding towards the horizon between them.
-constexpr int sky_angles = 20;
-constexpr int ground_angles = 12;
-constexpr int layer_angles = 8;  // between the edge of a layer seen from above and the next one's, or the horizon
-constexpr int azimuths = 22;     // midpoints over half a turn: exact for products of two harmonics of degree 20
+constexpr ViewAngles view_angles{.sky = 20, .ground = 12, .layer = 8};
+constexpr int azimuths = 22;  // midpoints over half a turn: exact for products of two harmonics of degree 20
 
 // Phase functions are clipped at this angle from the sun; what stands above the clip is integrated over a disk of its own.
 constexpr double peak_radius = 25.0 * deg;
 constexpr int peak_rings = 12;
 constexpr int peak_spokes = 12;
-
-// The directions at one altitude, with their solid angles but for the azimuth's share.
-struct ViewRule {
-    struct Angle {
-        double mu;
-        float weight;                 // d mu
-        std::vector<float> legendre;  // [layout.count()]
-    };
-    std::vector<Angle> angles;
-};
-
-// `edges`: zenith angles at which light jumps, increasing: the tops of layers below, and last the horizon.
-ViewRule view_rule(const std::vector<double>& edges) {
-    ViewRule rule;
-    const auto add = [&](int count, double from, double range) {
-        const GaussRule gauss = gauss_rule(count, 0.0, 1.0);
-        for (std::size_t i = 0; i < gauss.nodes.size(); ++i) {
-            const double s = gauss.nodes[i];
-            const double angle = from + range * s * s;
-            const double weight = gauss.weights[i] * 2.0 * s * std::abs(range) * std::sin(angle);
-            rule.angles.push_back({std::cos(angle), static_cast<float>(weight), legendre_values(layout, std::cos(angle))});
-        }
-    };
-    add(sky_angles, edges.front(), -edges.front());
-    for (std::size_t i = 0; i + 1 < edges.size(); ++i) add(layer_angles, edges[i], edges[i + 1] - edges[i]);
-    add(ground_angles, edges.back(), pi - edges.back());
-    return rule;
-}
 
 // The directions within the peak's disk around the sun at one of its zenith angles.
 struct PeakRule {
@@ -110,7 +81,7 @@ public:
         for (const AirOptics::Part& part : optics.parts) moments_.push_back(part.phase.legendre_moments(layout.degree + 1));
         for (int i = 0; i < sizes_.altitude; ++i) {
             const double h = altitude(i);
-            views_.push_back(view_rule(edges_at(h)));
+            views_.push_back(view_rule(layout, view_angles, view_edges(air_.shell, air_.densities, h)));
             scattering_factors_.push_back(factors_at(air_.source_axis.inner_altitude_m(i)));
             rays_.emplace_back();
             for (const ViewRule::Angle& angle : views_.back().angles)
@@ -180,18 +151,6 @@ private:
     }
 
     double altitude(int i) const { return air_.source_axis.altitude_m(i); }
-    // Where, by zenith angle, light jumps around a point: at the edge of each layer that ends below, and at the horizon.
-    std::vector<double> edges_at(double h) const {
-        std::vector<double> edges;
-        const auto add = [&](double lower) {
-            const double r = air_.shell.bottom_m + h;
-            edges.push_back(pi / 2.0 + std::acos((air_.shell.bottom_m + lower) / r));
-        };
-        for (auto jump = air_.densities.jumps_m().rbegin(); jump != air_.densities.jumps_m().rend(); ++jump)
-            if (*jump <= h) add(*jump);
-        add(0.0);
-        return edges;
-    }
     double sun(int i) const { return f64::sun_of_coordinate(static_cast<double>(i) / (sizes_.sun - 1)).value; }
 
     // By which the coefficients of degree l are multiplied when light scatters at an altitude: [degree + 1].

@@ -74,7 +74,9 @@ TEST_CASE("bruneton2008's maps lead there and back at every size of its tables")
                     const double y = static_cast<double>(j) / (size - 1);
                     const airlight::f64::Length h = bruneton2008_altitude_of_coordinate(y, bottom, top);
                     CHECK(bruneton2008_altitude_coordinate(h, bottom, top).value == doctest::Approx(y).epsilon(1e-12));
-                    CHECK(bruneton2008_sun_coordinate(bruneton2008_sun_of_coordinate(y)).value == doctest::Approx(y).epsilon(1e-12));
+                    for (const bool twilight : {false, true})
+                        CHECK(bruneton2008_sun_coordinate(bruneton2008_sun_of_coordinate(y, twilight), twilight).value ==
+                              doctest::Approx(y).epsilon(1e-12));
                     for (int i = 0; i < size; ++i) {
                         const double x = static_cast<double>(i) / (size - 1);
                         // At the top, where only grazing rays are long, the zenith has no length: a part in 1e16 of the way to the

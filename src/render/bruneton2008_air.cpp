@@ -1,0 +1,83 @@
+#include "render/bruneton2008_air.h"
+
+#include <array>
+#include <utility>
+
+#include "models/airlight_block.h"
+
+namespace airlight::render {
+
+namespace {
+
+constexpr unsigned colours_binding = 3, block_binding = 4;
+// Of air_wavelengths.glsl, and the method's own.
+constexpr unsigned densities_at = first_method_texture, transmittance_at = densities_at + 1, diffuse_at = densities_at + 3,
+                   phases_at = densities_at + 4, scattering_at = densities_at + 5;
+
+// Before a picture: a second at 60 pictures a second fills the tables of sixteen wavelengths.
+constexpr int slices_per_picture = 16;
+
+// `uniform Bruneton2008Block`.
+struct Block {
+    int altitude, view, sun, nu;
+    int scatterers, twilight, padding[2];
+    int part_of[8];
+};
+
+gpu::Buffer block_of(const Bruneton2008Textures& textures) {
+    Block block{.altitude = textures.texels.altitude,
+                .view = textures.texels.view,
+                .sun = textures.texels.sun,
+                .nu = textures.texels.nu,
+                .scatterers = static_cast<int>(textures.parts.size()),
+                .twilight = textures.texels.twilight,
+                .padding = {},
+                .part_of = {}};
+    for (std::size_t i = 0; i < textures.parts.size(); ++i) block.part_of[i] = static_cast<int>(textures.parts[i]);
+    return gpu::Buffer(std::as_bytes(std::span(&block, 1)));
+}
+
+// `uniform AirColours`: of the four wavelengths from `first` on, black beyond the last.
+gpu::Buffer colours_of(std::size_t first, const std::vector<Vec3>& colours) {
+    std::array<Four, gpu_wavelengths> block{};
+    for (std::size_t w = 0; w < block.size() && first + w < colours.size(); ++w) block[w] = four(colours[first + w], 0.0);
+    return gpu::Buffer(std::as_bytes(std::span(block)));
+}
+
+}  // namespace
+
+Bruneton2008Air::Bruneton2008Air(Bruneton2008Bake bake, std::span<const Vec3> colours) { replace(std::move(bake), colours); }
+
+void Bruneton2008Air::replace(Bruneton2008Bake bake, std::span<const Vec3> colours) {
+    next_.emplace(Next{std::move(bake), {colours.begin(), colours.end()}});
+}
+
+void Bruneton2008Air::prepare(const AirEye&, gpu::PassTimers& timers) {
+    if (!next_) return;
+    Bruneton2008Bake& bake = next_->bake;
+    for (int i = 0; bake.done() < bake.slices() && (!tables_ || i < slices_per_picture); ++i) bake.advance(timers);
+    if (bake.done() < bake.slices()) return;
+    Bruneton2008Textures textures = std::move(bake).take();
+    std::vector<gpu::Buffer> colours;
+    for (std::size_t g = 0; g < textures.groups.size(); ++g) colours.push_back(colours_of(g * gpu_wavelengths, next_->colours));
+    gpu::Buffer block = block_of(textures);
+    tables_.emplace(Tables{std::move(textures), std::move(colours), std::move(block)});
+    next_.reset();
+}
+
+int Bruneton2008Air::pictures() const { return static_cast<int>(tables_->textures.groups.size()); }
+
+void Bruneton2008Air::bind(int picture) const {
+    const auto g = static_cast<std::size_t>(picture);
+    const Bruneton2008Group& group = tables_->textures.groups[g];
+    group.air.bind_uniform(airlight_block_binding);
+    tables_->colours[g].bind_uniform(colours_binding);
+    tables_->block.bind_uniform(block_binding);
+    tables_->textures.densities.bind_sampler(densities_at);
+    group.transmittance.bind_sampler(transmittance_at);
+    group.irradiance.bind_sampler(diffuse_at);
+    group.phases.bind_sampler(phases_at);
+    group.scattering.bind_sampler(scattering_at);
+}
+
+}  // namespace airlight::render
