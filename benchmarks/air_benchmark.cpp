@@ -5,6 +5,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 
@@ -12,6 +13,7 @@
 #include "gpu/context.h"
 #include "render/air_airlight.h"
 #include "render/air_exact.h"
+#include "render/air_hillaire2020.h"
 #include "render/air_pass.h"
 #include "render/camera_block.h"
 #include "spectrum/colour.h"
@@ -39,8 +41,10 @@ struct Air {
     }
 };
 
-Result<std::unique_ptr<render::AirMethod>> method_of(const Air& air, bool exact) {
-    if (exact) return render::exact_air(air.tables, air.colours);
+enum Method : int { by_airlight, by_hillaire2020, by_march };
+Result<std::unique_ptr<render::AirMethod>> method_of(const Air& air, Method method) {
+    if (method == by_march) return render::exact_air(air.tables, air.colours);
+    if (method == by_hillaire2020) return render::hillaire2020_air({air.atmosphere, air.wavelengths, air.colours});
     return render::airlight_air(air.tables, air.colours);
 }
 
@@ -48,7 +52,7 @@ void air(benchmark::State& state) {
     const Result<gpu::Context> context = gpu::Context::create();
     if (!context) return state.SkipWithError(context.error().message().c_str());
     const Air model;
-    Result<std::unique_ptr<render::AirMethod>> method = method_of(model, state.range(0) != 0);
+    Result<std::unique_ptr<render::AirMethod>> method = method_of(model, static_cast<Method>(state.range(0)));
     if (!method) return state.SkipWithError(method.error().message().c_str());
     Result<render::AirPass> pass = render::AirPass::create({model.atmosphere, model.wavelengths, model.colours}, *std::move(method));
     const Result<render::GeometryBuffer> surfaces = render::GeometryBuffer::create(width, height);
@@ -88,8 +92,8 @@ void air(benchmark::State& state) {
 }  // namespace
 
 BENCHMARK(air)
-    ->ArgNames({"exact", "above_m", "sun_deg"})
-    ->ArgsProduct({{0}, {2, 10'000, 400'000}, {50, 95}})
-    ->Args({1, 2, 50})
+    ->ArgNames({"method", "above_m", "sun_deg"})
+    ->ArgsProduct({{by_airlight, by_hillaire2020}, {2, 10'000, 400'000}, {50, 95}})
+    ->Args({by_march, 2, 50})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();

@@ -145,7 +145,7 @@ Command render_command(CLI::App& airlight) {
     render->add_option("--height", given->height, "of the picture, in pixels")->option_text("<n>")->capture_default_str();
     render
         ->add_option("--air", given->air,
-                     "how the light of the air is computed: airlight, bruneton2008 or exact (default: what the scene says)")
+                     "how the light of the air is computed: airlight, hillaire2020, bruneton2008 or exact (default: what the scene says)")
         ->option_text("<method>");
     render
         ->add_option("--shafts", given->shafts,

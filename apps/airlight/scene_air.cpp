@@ -7,6 +7,7 @@
 #include "atmosphere/presets.h"
 #include "render/air_airlight.h"
 #include "render/air_exact.h"
+#include "render/air_hillaire2020.h"
 #include "render/bruneton2008_air.h"
 #include "spectrum/colour.h"
 #include "spectrum/colour_weights.h"
@@ -42,9 +43,17 @@ Result<std::unique_ptr<render::AirMethod>> bruneton2008_air(const Tables& tables
 }
 
 Result<std::unique_ptr<render::AirMethod>> method_of(const Tables& tables, std::span<const Vec3> colours, AirMethodName name) {
-    if (name == AirMethodName::exact) return render::exact_air(tables, colours);
-    if (name == AirMethodName::bruneton2008) return bruneton2008_air(tables, colours);
-    return render::airlight_air(tables, colours);
+    switch (name) {
+        case AirMethodName::airlight:
+            return render::airlight_air(tables, colours);
+        case AirMethodName::hillaire2020:
+            return render::hillaire2020_air({tables.atmosphere(), tables.wavelengths(), colours});
+        case AirMethodName::bruneton2008:
+            return bruneton2008_air(tables, colours);
+        case AirMethodName::exact:
+            break;
+    }
+    return render::exact_air(tables, colours);
 }
 
 render::Shafts shafts_of(ShaftsName name) {

@@ -74,6 +74,10 @@ f32::Hillaire2020Orders Hillaire2020Tables::orders(double altitude_m, double mu_
     return f32::hillaire2020_orders(sky_, medium(), transmittance(), metres(altitude_m), f32::Number(mu_s));
 }
 
+f32::PhaseSpectrum Hillaire2020Tables::air_phase(double nu) const {
+    return has_air_ ? narrowed<f32::PhaseSpectrum>(optics_.parts[air_part_].phase.at(nu)) : f32::PhaseSpectrum(0.0 * f32::per_sr);
+}
+
 f32::PhaseSpectrum Hillaire2020Tables::aerosol_phase(double nu) const {
     f64::PhaseSpectrum sum = f64::PhaseSpectrum(0.0 * f64::per_sr);
     for (std::size_t p = 0; p < optics_.parts.size(); ++p)
@@ -88,11 +92,9 @@ Hillaire2020Tables::Light Hillaire2020Tables::light(const Ray& ray) const {
                             ? f64::distance_to_ground(f64::Length::of(ray.altitude_m), ray.mu, optics_.bottom_radius)
                             : f64::distance_to_top(f64::Length::of(ray.altitude_m), ray.mu, optics_.bottom_radius, optics_.top_altitude))
                            .value;
-    const f32::PhaseSpectrum air =
-        has_air_ ? narrowed<f32::PhaseSpectrum>(optics_.parts[air_part_].phase.at(ray.nu)) : f32::PhaseSpectrum(0.0 * f32::per_sr);
     const f32::Hillaire2020Light seen =
         f32::hillaire2020_march(sky_, medium(), transmittance(), {multiple_, multiple_size, multiple_size}, h, mu, mu_s, nu,
-                                metres(std::min(ray.limit_m, end)), steps, air, aerosol_phase(ray.nu));
+                                metres(std::min(ray.limit_m, end)), steps, air_phase(ray.nu), aerosol_phase(ray.nu));
     return {seen.inscattered * sun_, seen.transmittance};
 }
 

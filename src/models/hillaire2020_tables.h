@@ -1,6 +1,7 @@
 // The tables of hillaire2020 for a pack of sixteen wavelengths, filled by the text that reads them. Internal to the model.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "models/model.h"
@@ -36,12 +37,20 @@ public:
 
     int count() const { return optics_.wavelength_count; }
 
+    // What the text reads, for who reads it elsewhere: tables row by row, and the phase functions of air and, on average, of aerosols.
+    const f32::Hillaire2020& sky() const { return sky_; }
+    const f32::IrradianceSpectrum& sun() const { return sun_; }
+    std::span<const f32::ScatteringSpectrum> medium_texels() const { return medium_; }
+    std::span<const f32::Spectrum> transmittance_texels() const { return transmittance_; }
+    std::span<const f32::PhaseSpectrum> multiple_texels() const { return multiple_; }
+    Table2D<f32::Spectrum> transmittance() const;
+    f32::PhaseSpectrum air_phase(double nu) const;
+    f32::PhaseSpectrum aerosol_phase(double nu) const;
+
 private:
     void fill_medium();
     void fill_multiple();
-    f32::PhaseSpectrum aerosol_phase(double nu) const;
     Table2D<f32::ScatteringSpectrum> medium() const;
-    Table2D<f32::Spectrum> transmittance() const;
 
     AirOptics optics_;
     f32::Hillaire2020 sky_;

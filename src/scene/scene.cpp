@@ -11,6 +11,7 @@ namespace airlight {
 
 std::optional<AirMethodName> air_method_named(std::string_view name) {
     if (name == "airlight") return AirMethodName::airlight;
+    if (name == "hillaire2020") return AirMethodName::hillaire2020;
     if (name == "bruneton2008") return AirMethodName::bruneton2008;
     if (name == "exact") return AirMethodName::exact;
     return std::nullopt;

@@ -42,8 +42,8 @@ struct SunScene {
 };
 
 // How the light of the air is computed: docs/decisions/0010-air-methods.md.
-enum class AirMethodName { airlight, bruneton2008, exact };
-inline constexpr std::string_view air_method_names = "airlight bruneton2008 exact";
+enum class AirMethodName { airlight, hillaire2020, bruneton2008, exact };
+inline constexpr std::string_view air_method_names = "airlight hillaire2020 bruneton2008 exact";
 std::optional<AirMethodName> air_method_named(std::string_view name);
 
 // How the parts of the air that lie in the ground's shadow are found: docs/decisions/0013-shadows.md. `none` leaves out these, not the

@@ -1,4 +1,4 @@
-// A method of air (docs/decisions/0010-air-methods.md): light is looked up along the rays that air_march.comp has marched for this eye.
+// Methods of air (docs/decisions/0010-air-methods.md) that look light up along the rays that were marched for this eye (air_march.glsl).
 #include "air_rays.glsl"
 layout(binding = 8) uniform sampler3D smooth_light;   // radiance, over the share of light that the way takes, of what has no peak, over
                                                       // a scale; the logarithm of that scale

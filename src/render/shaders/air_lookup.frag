@@ -1,3 +1,3 @@
 #version 450 core
-#include "air_airlight.glsl"
+#include "air_lookup.glsl"
 #include "air_composite.glsl"

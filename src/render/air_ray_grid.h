@@ -1,0 +1,57 @@
+// The rays along which a method of air keeps the light of a frame: a column of texels for each azimuth from the sun and each row of view
+// zenith angles, a layer for each place on the way (src/render/shaders/air_rays.glsl). How light is gathered along them is the method's;
+// air_lookup.frag makes pictures of them. Uses sky (the rows of directions) and gpu.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/program.h"
+#include "gpu/texture.h"
+#include "physics/f32.h"
+#include "render/air_method.h"
+#include "sky/dome_rows.h"
+#include "transport/air_optics.h"
+
+namespace airlight::render {
+
+// Light at the wavelengths of a pack for a texel of a table.
+using PackLight = std::function<f32::IrradianceSpectrum(std::size_t pack, int column, int row)>;
+
+class AirRayGrid {
+public:
+    // An atmosphere in packs of wavelengths, and the colours of radiance at all of them.
+    struct Air {
+        std::vector<AirOptics> packs;
+        std::span<const Vec3> colours;
+    };
+    // The tables that know no eye: irradiance by the sun's disk, by altitude_coordinate and transmittance_cosine_coordinate, and that of
+    // level ground by the sky, by sun_coordinate.
+    static constexpr int sunlight_cosines = 256, sunlight_altitudes = 32, skylight_suns = 256;
+    AirRayGrid(const Air& air, std::span<const double> jumps_m, const PackLight& sunlight, const PackLight& skylight);
+
+    // Gathers the light of an eye by a program whose text is made of air_march.glsl: once for each group of four wavelengths, after
+    // bind(group).
+    void march(const AirEye& eye, const gpu::Program& program, const std::function<void(std::size_t)>& bind) const;
+
+    // For air_lookup.frag.
+    void bind() const;
+
+private:
+    struct Grid;
+    static const Grid day_grid, shadow_grid, space_grid;
+    const Grid& grid_of(Length altitude, double sun_zenith) const;
+    int most_rows() const;
+    void write_rays(Length altitude, const DomeRows& rows, const Grid& grid) const;
+
+    Shell shell_;
+    std::vector<double> jumps_m_;  // of density
+    gpu::Texture peak_, sunlight_, skylight_;
+    gpu::Buffer rays_, ways_;
+    std::vector<gpu::Buffer> shares_;  // of each group
+    gpu::Texture smooth_, peaked_, extinction_, once_;
+};
+
+}  // namespace airlight::render
