@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -22,8 +23,8 @@ struct Block {
 
 Four four(Vec3 v, double w) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)}; }
 
-Block block_of(const std::vector<Cascade>& cascades, const LightAxes& axes, int texels) {
-    Block block{four(axes.right, 0.0), four(axes.up, 0.0), four(axes.towards_sun, 0.0), {}, {}, {}};
+Block block_of(const std::vector<Cascade>& cascades, const LightAxes& axes, double highest_m, int texels) {
+    Block block{four(axes.right, 0.0), four(axes.up, 0.0), four(axes.towards_sun, highest_m), {}, {}, {}};
     for (std::size_t i = 0; i < cascades.size(); ++i) {
         const Cascade& c = cascades[i];
         block.place[i] = four({c.centre.x, c.centre.y, c.lowest_m}, c.half_width_m);
@@ -54,7 +55,7 @@ void ShadowPass::draw(TerrainPass& terrain, const Camera& camera, Vec3 towards_s
     const HeightField& field = terrain.quadtree().field();
     cascades_ = render::cascades(camera, axes, field, settings_.texels);
     patches_ = 0;
-    Block block = block_of(cascades_, axes, settings_.texels);
+    Block block = block_of(cascades_, axes, std::max(0.0, field.whole.high), settings_.texels);
     block_.bind_uniform(block_binding);
     target_.bind();
     glDepthMask(GL_TRUE);

@@ -50,12 +50,18 @@ gpu::Texture profiles_of(const AirOptics& air) {
 
 gpu::Texture phases_of(const AirOptics& air) {
     std::vector<float> texels;
-    for (const AirOptics::Part& part : air.parts)
+    std::vector<float> reference(4 * angles, 0.0f);
+    for (const AirOptics::Part& part : air.parts) {
+        const float peaked = part.scatters && !part.phase.is_rayleigh() ? 1.0f : 0.0f;
         for (int i = 0; i < angles; ++i) {
             const double root = coordinate(i, angles);
             put(texels, part.phase.at(std::cos(root * root * pi)));
+            texels.back() = peaked;
+            for (std::size_t c = 0; c < 3; ++c) reference[static_cast<std::size_t>(4 * i) + c] += peaked * texels[texels.size() - 4 + c];
         }
-    return gpu::Texture({angles, static_cast<int>(air.parts.size())}, texels);
+    }
+    texels.insert(texels.end(), reference.begin(), reference.end());
+    return gpu::Texture({angles, static_cast<int>(air.parts.size()) + 1}, texels);
 }
 
 gpu::Texture sun_depth_of(const AirOptics& air) {

@@ -13,10 +13,10 @@ namespace airlight::render {
 
 namespace {
 
-constexpr unsigned slices_binding = 5, table_binding = 11, slopes_binding = 12, blocks_binding = 13;
+constexpr unsigned slices_binding = 5, even_binding = 11, slopes_binding = 12, blocks_binding = 13, peaked_binding = 14;
 
 // Directions of the picture and places on the way; multiples of the work group of shafts_table.comp.
-constexpr gpu::TextureSize table_size{64, 36, 64};
+constexpr gpu::TextureSize table_size{16, 36, 128};
 // A work group of shafts_slices.comp takes a slice, each invocation a block of it.
 constexpr int slice_count = 1024, blocks_of_slice = 64, places_of_block = 16;
 
@@ -79,7 +79,7 @@ Result<ShaftsPass> ShaftsPass::create(int width, int height, Shafts method, cons
     if (method != Shafts::none && method != Shafts::brute) {
         Result<gpu::Program> light = compute_program("shafts_table.comp");
         if (!light) return light.error();
-        table.emplace(Table{std::move(*light), gpu::Texture(table_size)});
+        table.emplace(Table{std::move(*light), gpu::Texture(table_size), gpu::Texture(table_size)});
     }
     std::optional<SlicesOfMaps> slices;
     if (method == Shafts::epipolar) {
@@ -120,9 +120,11 @@ void ShaftsPass::draw(const GeometryBuffer& surfaces, const ShadowPass& shadows,
     shadows.bind();
     if (air_) air_->bind();
     if (table_) {
-        table_->light.bind_image(0);
+        table_->even.bind_image(0);
+        table_->peaked.bind_image(1);
         table_->program.dispatch(table_size.width / 8, table_size.height / 6);
-        table_->light.bind_sampler(table_binding);
+        table_->even.bind_sampler(even_binding);
+        table_->peaked.bind_sampler(peaked_binding);
     }
     if (slices_) draw_slices(shadows, camera, towards_sun);
     surfaces.depth().bind_sampler(0);

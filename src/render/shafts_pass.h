@@ -33,7 +33,7 @@ public:
 private:
     struct Table {
         gpu::Program program;
-        gpu::Texture light;
+        gpu::Texture even, peaked;
     };
     struct SlicesOfMaps {
         gpu::Program program;

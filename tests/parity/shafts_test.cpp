@@ -120,10 +120,10 @@ struct Method {
     std::string_view name;
     double mean, worst;  // error of a share that is allowed
 };
-constexpr std::array<Method, 4> methods = {{{Shafts::epipolar, "epipolar", 0.015, 0.6},
-                                            {Shafts::marched, "marched", 0.025, 0.6},
-                                            {Shafts::planes, "planes", 0.015, 0.6},
-                                            {Shafts::volumes, "volumes", 0.015, 0.6}}};
+constexpr std::array<Method, 4> methods = {{{Shafts::epipolar, "epipolar", 0.01, 0.6},
+                                            {Shafts::marched, "marched", 0.02, 0.6},
+                                            {Shafts::planes, "planes", 0.01, 0.6},
+                                            {Shafts::volumes, "volumes", 0.01, 0.6}}};
 
 struct Difference {
     double mean = 0.0, worst = 0.0;

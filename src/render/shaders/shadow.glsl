@@ -41,11 +41,12 @@ float sun_visibility(vec3 position) {
     return sum / 9.0;
 }
 
-// Whether the sun sees a point in the air.
-bool sun_sees(vec3 position) {
-    vec3 p = along_light(position);
-    int i = cascade_of(p);
-    if (i < 0) return true;
+// Whether the sun sees a point in the air at a distance from the eye.
+bool sun_sees(vec3 direction, float distance_m) {
+    int i = 0;
+    while (i < shadow_count.x && cascade_depth[i].z < distance_m) ++i;
+    if (i == shadow_count.x) return true;
+    vec3 p = along_light(direction * distance_m);
     vec4 place = cascade_place[i];
     ivec2 at = ivec2(((p.xy - place.xy) / place.w * 0.5 + 0.5) * float(shadow_count.z));
     return texelFetch(shadow_maps, at + ivec2(0, i * shadow_count.z), 0).r <= depth_in(i, p.z);

@@ -1,6 +1,6 @@
 // Where the shadow maps lie (src/render/shadow_cascades.h). Lengths are in metres, relative to the eye, along the light's axes.
 layout(std140, binding = 7) uniform ShadowBlock {
-    vec4 light_right, light_up, light_towards_sun;
+    vec4 light_right, light_up, light_towards_sun;  // .w of the last: no ground is higher, above the planet's sphere
     vec4 cascade_place[8];  // middle of the square; the least height; half of the square's width
     vec4 cascade_depth[8];  // heights from the least to the greatest; a texel; the farthest distance from the eye
     ivec4 shadow_count;     // of cascades; which is drawn now; texels of a map's side

@@ -1,7 +1,9 @@
 // What every method of light shafts writes: the share of the light scattered once towards the eye that stays where ground shades the air,
 // in red, green and blue; in alpha, the share of the sun's light that reaches the pixel's surface. A method's text answers
 //
-//   vec3 lit_share(vec2 place, vec3 direction, AirRay start, float way)   of a ray from the start of its air over a distance
+//   vec3 lit_share(vec2 place, vec3 direction, AirRay start, float way, vec2 part)
+//
+// of a ray from the start of its air over a distance, of which a part may be shaded.
 #include "camera.glsl"
 #include "shadow.glsl"
 layout(binding = 0) uniform sampler2D depth_buffer;
@@ -16,5 +18,6 @@ void main() {
     AirRay start;
     if (!enter_air(direction, start)) return;
     float way = way_in_air(start, depth > 0.0 ? length(position) : 1e30);
-    if (way > 0.0) shade.rgb = lit_share(place, direction, start, way);
+    vec2 part = shaded_part(start, way);
+    if (part.y > part.x) shade.rgb = lit_share(place, direction, start, way, part);
 }

@@ -5,17 +5,17 @@
 
 const int steps = 1024;
 
-vec3 lit_share(vec2 place, vec3 direction, AirRay start, float way) {
+vec3 lit_share(vec2 place, vec3 direction, AirRay start, float way, vec2 part) {
     ShaftsRay ray = shafts_ray(start, direction);
     vec3 depth = vec3(0.0), lit = vec3(0.0), all = vec3(1e-30);
     float from = 0.0;
     for (int i = 0; i < steps; ++i) {
         float t = float(i + 1) / float(steps), to = way * t * t, middle = 0.5 * (from + to);
-        vec3 extinction, light = scattered_at(ray, middle, extinction);
-        light *= exp(-depth - 0.5 * (to - from) * extinction) * (to - from);
-        depth += (to - from) * extinction;
+        Scattered there = scattered_at(ray, middle);
+        vec3 light = (there.even + there.peaked) * exp(-depth - 0.5 * (to - from) * there.extinction) * (to - from);
+        depth += (to - from) * there.extinction;
         all += light;
-        if (sun_sees(direction * (start.empty + middle))) lit += light;
+        if (sun_sees(direction, start.empty + middle)) lit += light;
         from = to;
     }
     return lit / all;

@@ -2,7 +2,8 @@
 // Light shafts on epipolar slices [Engelhardt2010] with the least and greatest ground of each part of a slice [Chen2011; Yusov2014]: the
 // shadow maps are read once for each slice, not for each ray, and a ray asks most parts of its slice one question: is all of it below
 // you, or above? Approximates: a ray takes the nearest slice, and shadows begin at the places of its slice, half a
-// percent of their distance apart. Cost: a million places on slices a frame; a look-up a part, each pixel.
+// percent of their distance apart. Cost: a million places on slices a frame; for each pixel a look at each part, and two
+// at the table of light scattered once for each edge.
 #include "shafts_light.glsl"
 #include "shafts_slices.glsl"
 layout(binding = 12) uniform sampler2D slopes;
@@ -21,24 +22,23 @@ float lit_places(int slice, int block, int first, int last, float slope) {
     return float(lit) / float(last - first);
 }
 
-vec3 lit_share(vec2 place, vec3 direction, AirRay start, float way) {
-    ShaftsView view = shafts_view(place, start);
+vec3 lit_share(vec2 place, vec3 direction, AirRay start, float way, vec2 part) {
     vec3 light_axes = along_light(direction);
     float sine = max(length(light_axes.xy), 1e-6), slope = light_axes.z / sine;
     float turn = fract((atan(light_axes.y, light_axes.x) - slice_angles.x) / two_pi) * two_pi;
     int slice = clamp(int(turn / slice_angles.y), 0, slice_counts.x - 1);
-    int first = int(place_across(start.empty * sine)), last = clamp(int(place_across((start.empty + way) * sine) + 0.5), first + 1, slice_counts.y);
-    vec3 lit = vec3(0.0), before = vec3(0.0);
-    for (int k = first; k < last;) {
+    int first = int(place_across((start.empty + part.x) * sine));
+    int last = clamp(int(place_across((start.empty + part.y) * sine) + 0.5), first + 1, slice_counts.y);
+    ShaftsView view = shafts_view(place, direction, start);
+    LitSum sum = lit_from_the_eye();
+    float from = part.x;
+    for (int k = first; k < last && from < part.y;) {
         int block = k / slice_counts.z, next = min((block + 1) * slice_counts.z, last);
-        float to = next < last || last == slice_counts.y ? min(across_light(float(next)) / sine - start.empty, way) : way;
-        vec3 light = light_over(view, to);
-        float share = lit_places(slice, block, k, next, slope);
-        if (share > 0.0) lit += share * (light - before);
-        before = light;
+        go_on(sum, view, from, lit_places(slice, block, k, next, slope));
+        from = across_light(float(next)) / sine - start.empty;
         k = next;
     }
-    vec3 all = light_over(view, way);
-    return share_of(lit + all - before, all);
+    go_on(sum, view, part.y, 1.0);
+    return share_at_end(sum, view, way);
 }
 #include "shafts.glsl"

@@ -8,33 +8,31 @@
 
 const int planes = 32, halvings = 3;
 
-vec3 lit_share(vec2 place, vec3 direction, AirRay start, float way) {
-    ShaftsView view = shafts_view(place, start);
+vec3 lit_share(vec2 place, vec3 direction, AirRay start, float way, vec2 part) {
+    ShaftsView view = shafts_view(place, direction, start);
+    LitSum sum = lit_from_the_eye();
     // Planes crowd towards the eye, or the air, out to where shadows end.
     float slant = dot(direction, camera_forward.xyz), nearest = start.empty * slant;
-    float depth = max(min(shadows_end(), 1e7) - nearest, 1.0);
-    vec3 lit = vec3(0.0), begun = vec3(0.0);
-    bool seen = sun_sees(direction * start.empty);
-    float from = 0.0;
-    for (int i = 1; i <= planes && from < way; ++i) {
-        float t = float(i) / float(planes), to = min(depth * (t * t) * (t * t) / slant, way);
-        bool seen_there = sun_sees(direction * (start.empty + to));
+    float depth = max(cascade_depth[shadow_count.x - 1].z - nearest, 1.0), from = part.x;
+    bool seen = sun_sees(direction, start.empty + from);
+    go_on(sum, view, from, seen ? 1.0 : 0.0);
+    for (int i = 1; i <= planes && from < part.y; ++i) {
+        float t = float(i) / float(planes), to = min(depth * (t * t) * (t * t) / slant, part.y);
+        if (to <= from) continue;
+        bool seen_there = sun_sees(direction, start.empty + to);
         if (seen_there != seen) {
             float low = from, high = to;
             for (int k = 0; k < halvings; ++k) {
                 float middle = 0.5 * (low + high);
-                if (sun_sees(direction * (start.empty + middle)) == seen) low = middle;
+                if (sun_sees(direction, start.empty + middle) == seen) low = middle;
                 else high = middle;
             }
-            vec3 light = light_over(view, 0.5 * (low + high));
-            if (seen) lit += light - begun;
-            begun = light;
             seen = seen_there;
+            go_on(sum, view, 0.5 * (low + high), seen ? 1.0 : 0.0);
         }
         from = to;
     }
-    vec3 all = light_over(view, way);
-    if (seen) lit += all - begun;
-    return share_of(lit, all);
+    go_on(sum, view, part.y, 1.0);
+    return share_at_end(sum, view, way);
 }
 #include "shafts.glsl"

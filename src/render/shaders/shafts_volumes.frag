@@ -7,15 +7,15 @@
 
 const int steps = 64;
 
-vec3 lit_share(vec2 place, vec3 direction, AirRay start, float way) {
-    ShaftsView view = shafts_view(place, start);
-    float lit = 0.0, from = 0.0;
+vec3 lit_share(vec2 place, vec3 direction, AirRay start, float way, vec2 part) {
+    float dark = 0.0, from = part.x;
     for (int i = 0; i < steps; ++i) {
-        float t = float(i + 1) / float(steps), to = way * t * t;
-        if (sun_sees(direction * (start.empty + 0.5 * (from + to)))) lit += to - from;
+        float t = float(i + 1) / float(steps), to = part.x + (part.y - part.x) * t * t;
+        if (!sun_sees(direction, start.empty + 0.5 * (from + to))) dark += to - from;
         from = to;
     }
-    if (lit >= 0.9999 * way) return vec3(1.0);
-    return share_of(light_over(view, lit), light_over(view, way));
+    if (dark == 0.0) return vec3(1.0);
+    ShaftsView view = shafts_view(place, direction, start);
+    return share_of(light_over(view, max(way - dark, 0.0)), light_over(view, way));
 }
 #include "shafts.glsl"
