@@ -106,7 +106,7 @@ void ShaftsPass::draw_slices(const ShadowPass& shadows, const Camera& camera, Ve
     const double reach = shadows.cascades().empty() ? 1.0 : shadows.cascades().back().to_m;
     const SlicesBlock block{
         {static_cast<float>(angles.low), static_cast<float>((angles.high - angles.low) / slice_count), static_cast<float>(reach), 0.0f},
-        {slice_count, blocks_of_slice * places_of_block, places_of_block, 0}};
+        {slice_count, blocks_of_slice * places_of_block, places_of_block, angles.high - angles.low >= 2.0 * pi ? 1 : 0}};
     slices_->block.write(std::as_bytes(std::span(&block, 1)));
     slices_->block.bind_uniform(slices_binding);
     slices_->slopes.bind_image(0);

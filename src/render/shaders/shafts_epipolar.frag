@@ -1,7 +1,7 @@
 #version 450 core
 // Light shafts on epipolar slices [Engelhardt2010] with the least and greatest ground of each part of a slice [Chen2011; Yusov2014]: the
 // shadow maps are read once for each slice, not for each ray, and a ray asks most parts of its slice one question: is all of it below
-// you, or above? Approximates: a ray takes the nearest slice, and shadows begin at the places of its slice, half a
+// you, or above? Approximates: a ray lies between two slices, and shadows begin at the places of its slice, half a
 // percent of their distance apart. Cost: a million places on slices a frame; for each pixel a look at each part, and two
 // at the table of light scattered once for each edge.
 #include "shafts_light.glsl"
@@ -26,7 +26,10 @@ vec3 lit_share(vec2 place, vec3 direction, AirRay start, float way, vec2 part) {
     vec3 light_axes = along_light(direction);
     float sine = max(length(light_axes.xy), 1e-6), slope = light_axes.z / sine;
     float turn = fract((atan(light_axes.y, light_axes.x) - slice_angles.x) / two_pi) * two_pi;
-    int slice = clamp(int(turn / slice_angles.y), 0, slice_counts.x - 1);
+    // The slices on both sides of the ray, and how near the second is.
+    float at = turn / slice_angles.y - 0.5, second = fract(at);
+    ivec2 slices = ivec2(int(floor(at))) + ivec2(0, 1);
+    slices = slice_counts.w == 1 ? (slices + slice_counts.x) % slice_counts.x : clamp(slices, 0, slice_counts.x - 1);
     int first = int(place_across((start.empty + part.x) * sine));
     int last = clamp(int(place_across((start.empty + part.y) * sine) + 0.5), first + 1, slice_counts.y);
     ShaftsView view = shafts_view(place, direction, start);
@@ -34,7 +37,8 @@ vec3 lit_share(vec2 place, vec3 direction, AirRay start, float way, vec2 part) {
     float from = part.x;
     for (int k = first; k < last && from < part.y;) {
         int block = k / slice_counts.z, next = min((block + 1) * slice_counts.z, last);
-        go_on(sum, view, from, lit_places(slice, block, k, next, slope));
+        float one = lit_places(slices.x, block, k, next, slope), other = lit_places(slices.y, block, k, next, slope);
+        go_on(sum, view, from, mix(one, other, second));
         from = across_light(float(next)) / sine - start.empty;
         k = next;
     }

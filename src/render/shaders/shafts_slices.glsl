@@ -3,7 +3,7 @@
 // distance across it is one number, its slope: ground on the line that stands higher than the ray has a greater slope.
 layout(std140, binding = 5) uniform Slices {
     vec4 slice_angles;    // the first slice's, about the light; between slices; the farthest distance across the light
-    ivec4 slice_counts;   // slices; places on each; places of a block
+    ivec4 slice_counts;   // slices; places on each; places of a block; 1 if the last slice is beside the first
 };
 
 // Places crowd towards the eye.
