@@ -1,5 +1,6 @@
 #include "render/shafts_air.h"
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -29,39 +30,41 @@ void put(std::vector<float>& texels, const Spectrum& s) {
     texels.push_back(0.0f);
 }
 
+std::vector<const AirOptics::Part*> scattering_parts(const AirOptics& air) {
+    std::vector<const AirOptics::Part*> parts;
+    for (const AirOptics::Part& part : air.parts)
+        if (part.scatters) parts.push_back(&part);
+    return parts;
+}
+
 gpu::Texture profiles_of(const AirOptics& air) {
+    const std::vector<const AirOptics::Part*> scattering = scattering_parts(air);
+    const auto altitude = [&](int i) { return f64::altitude_of_coordinate(coordinate(i, altitudes), air.top_altitude); };
     std::vector<float> texels;
-    const auto rows = static_cast<int>(air.parts.size()) + 1;
-    for (int row = 0; row < rows; ++row)
-        for (int i = 0; i < altitudes; ++i) {
-            const Length h = f64::altitude_of_coordinate(coordinate(i, altitudes), air.top_altitude);
-            std::array<double, pack_size> sum{};
-            for (int p = 0; p < rows - 1; ++p) {
-                const AirOptics::Part& part = air.parts[static_cast<std::size_t>(p)];
-                if (row > 0 && (p != row - 1 || !part.scatters)) continue;
-                const double density = relative_density(part.profile, h);
-                for (std::size_t w = 0; w < sum.size(); ++w) sum[w] += density * (row == 0 ? part.extinction.v[w] : part.scattering.v[w]);
-            }
-            for (const int w : of_channel) texels.push_back(static_cast<float>(sum[static_cast<std::size_t>(w)]));
-            texels.push_back(0.0f);
-        }
-    return gpu::Texture({altitudes, rows}, texels);
+    for (int i = 0; i < altitudes; ++i) {
+        f64::ScatteringSpectrum extinction(0.0 / m);
+        for (const AirOptics::Part& part : air.parts)
+            extinction = extinction + part.extinction * relative_density(part.profile, altitude(i));
+        put(texels, extinction);
+    }
+    for (const AirOptics::Part* part : scattering)
+        for (int i = 0; i < altitudes; ++i) put(texels, part->scattering * relative_density(part->profile, altitude(i)));
+    return gpu::Texture({altitudes, static_cast<int>(scattering.size()) + 1}, texels);
 }
 
 gpu::Texture phases_of(const AirOptics& air) {
-    std::vector<float> texels;
-    std::vector<float> reference(4 * angles, 0.0f);
-    for (const AirOptics::Part& part : air.parts) {
-        const float peaked = part.scatters && !part.phase.is_rayleigh() ? 1.0f : 0.0f;
+    const std::vector<const AirOptics::Part*> scattering = scattering_parts(air);
+    std::vector<float> texels, reference(4 * angles, 0.0f);
+    for (const AirOptics::Part* part : scattering)
         for (int i = 0; i < angles; ++i) {
             const double root = coordinate(i, angles);
-            put(texels, part.phase.at(std::cos(root * root * pi)));
-            texels.back() = peaked;
-            for (std::size_t c = 0; c < 3; ++c) reference[static_cast<std::size_t>(4 * i) + c] += peaked * texels[texels.size() - 4 + c];
+            put(texels, part->phase.at(std::cos(root * root * pi)));
+            texels.back() = part->phase.is_rayleigh() ? 0.0f : 1.0f;
+            for (std::size_t c = 0; c < 3; ++c)
+                reference[static_cast<std::size_t>(4 * i) + c] += texels.back() * texels[texels.size() - 4 + c];
         }
-    }
     texels.insert(texels.end(), reference.begin(), reference.end());
-    return gpu::Texture({angles, static_cast<int>(air.parts.size()) + 1}, texels);
+    return gpu::Texture({angles, static_cast<int>(scattering.size()) + 1}, texels);
 }
 
 gpu::Texture sun_depth_of(const AirOptics& air) {

@@ -17,7 +17,7 @@ public:
     void bind() const;
 
 private:
-    gpu::Texture profiles_;  // by altitude: extinction in the first row, then what each constituent scatters, m-1
+    gpu::Texture profiles_;  // by altitude: extinction in the first row, then what each scatters that does, m-1
     gpu::Texture phases_;  // of each constituent, even in the root of the scattering angle, sr-1; alpha: 1 if it has a peak; last, the sum
                            // of those that have
     gpu::Texture sun_depth_;  // optical depths towards the sun, by altitude and zenith cosine

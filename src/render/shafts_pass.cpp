@@ -13,12 +13,12 @@ namespace airlight::render {
 
 namespace {
 
-constexpr unsigned slices_binding = 5, even_binding = 11, slopes_binding = 12, blocks_binding = 13, peaked_binding = 14;
+constexpr unsigned slices_binding = 5, even_binding = 11, slopes_binding = 12, blocks_binding = 13, peaked_binding = 14, spans_binding = 15;
 
 // Directions of the picture and places on the way; multiples of the work group of shafts_table.comp.
 constexpr gpu::TextureSize table_size{16, 36, 128};
 // A work group of shafts_slices.comp takes a slice, each invocation a block of it.
-constexpr int slice_count = 1024, blocks_of_slice = 64, places_of_block = 16;
+constexpr int slice_count = 1024, blocks_of_slice = 64, places_of_block = 16, blocks_of_span = 8;
 
 // std140: `uniform Slices`.
 struct SlicesBlock {
@@ -87,7 +87,8 @@ Result<ShaftsPass> ShaftsPass::create(int width, int height, Shafts method, cons
         if (!sliced) return sliced.error();
         slices.emplace(SlicesOfMaps{std::move(*sliced),
                                     gpu::Texture({blocks_of_slice * places_of_block, slice_count}, {}, gpu::TextureFormat::r32f),
-                                    gpu::Texture({blocks_of_slice, slice_count}), gpu::Buffer(sizeof(SlicesBlock))});
+                                    gpu::Texture({blocks_of_slice, slice_count}),
+                                    gpu::Texture({blocks_of_slice / blocks_of_span, slice_count}), gpu::Buffer(sizeof(SlicesBlock))});
     }
     return ShaftsPass(std::move(*made), std::move(shade), std::move(*target), std::move(optics), std::move(table), std::move(slices));
 }
@@ -111,9 +112,11 @@ void ShaftsPass::draw_slices(const ShadowPass& shadows, const Camera& camera, Ve
     slices_->block.bind_uniform(slices_binding);
     slices_->slopes.bind_image(0);
     slices_->blocks.bind_image(1);
+    slices_->spans.bind_image(2);
     slices_->program.dispatch(slice_count);
     slices_->slopes.bind_sampler(slopes_binding);
     slices_->blocks.bind_sampler(blocks_binding);
+    slices_->spans.bind_sampler(spans_binding);
 }
 
 void ShaftsPass::draw(const GeometryBuffer& surfaces, const ShadowPass& shadows, const Camera& camera, Vec3 towards_sun) const {

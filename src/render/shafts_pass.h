@@ -37,7 +37,7 @@ private:
     };
     struct SlicesOfMaps {
         gpu::Program program;
-        gpu::Texture slopes, blocks;
+        gpu::Texture slopes, blocks, spans;
         gpu::Buffer block;
     };
     ShaftsPass(gpu::Program program, gpu::Texture shade, gpu::Framebuffer target, std::optional<ShaftsAir> air, std::optional<Table> table,

@@ -8,6 +8,7 @@
 #include "shafts_slices.glsl"
 layout(binding = 12) uniform sampler2D slopes;
 layout(binding = 13) uniform sampler2D blocks;
+layout(binding = 15) uniform sampler2D spans;
 
 const float two_pi = 6.28318530718;
 
@@ -36,9 +37,15 @@ vec3 lit_share(vec2 place, vec3 direction, AirRay start, float way, vec2 part) {
     LitSum sum = lit_from_the_eye();
     float from = part.x;
     for (int k = first; k < last && from < part.y;) {
-        int block = k / slice_counts.z, next = min((block + 1) * slice_counts.z, last);
-        float one = lit_places(slices.x, block, k, next, slope), other = lit_places(slices.y, block, k, next, slope);
-        go_on(sum, view, from, mix(one, other, second));
+        int block = k / slice_counts.z, span = block / blocks_of_span, next = (span + 1) * blocks_of_span * slice_counts.z;
+        vec2 one = texelFetch(spans, ivec2(span, slices.x), 0).rg, other = texelFetch(spans, ivec2(span, slices.y), 0).rg;
+        float share = max(one.y, other.y) <= slope ? 1.0 : 0.0;
+        if (share == 0.0 && min(one.x, other.x) <= slope) {
+            next = min((block + 1) * slice_counts.z, last);
+            share = mix(lit_places(slices.x, block, k, next, slope), lit_places(slices.y, block, k, next, slope), second);
+        }
+        next = min(next, last);
+        go_on(sum, view, from, share);
         from = across_light(float(next)) / sine - start.empty;
         k = next;
     }

@@ -1,11 +1,13 @@
 #version 450 core
-// The slopes of the ground on a slice, and the least and the greatest in each block of sixteen: one level of Chen's tree is enough, since
-// a ray has a hundred blocks at most and nearly all are wholly lit or dark.
+// The slopes of the ground on a slice, and the least and the greatest in each block of places and in each span of blocks: Chen's tree with
+// branches of sixteen and eight.
 #include "shadow.glsl"
 #include "shafts_slices.glsl"
 layout(local_size_x = 64) in;
 layout(binding = 0, r32f) uniform writeonly image2D slopes;
 layout(binding = 1, rgba32f) uniform writeonly image2D blocks;
+layout(binding = 2, rgba32f) uniform writeonly image2D spans;
+shared vec2 ranges[64];
 
 // The highest ground on a line along the light; below everything if there is none. Where the finest map saw none there is none above the
 // least height that it holds: what coarser ones know of is below.
@@ -32,4 +34,9 @@ void main() {
         imageStore(slopes, ivec2(k, slice), vec4(slope));
     }
     imageStore(blocks, ivec2(block, slice), vec4(range, 0.0, 0.0));
+    ranges[block] = range;
+    barrier();
+    if (block % blocks_of_span > 0) return;
+    for (int i = block; i < block + blocks_of_span; ++i) range = vec2(min(range.x, ranges[i].x), max(range.y, ranges[i].y));
+    imageStore(spans, ivec2(block / blocks_of_span, slice), vec4(range, 0.0, 0.0));
 }

@@ -6,6 +6,8 @@ layout(std140, binding = 5) uniform Slices {
     ivec4 slice_counts;   // slices; places on each; places of a block; 1 if the last slice is beside the first
 };
 
+const int blocks_of_span = 8;
+
 // Places crowd towards the eye.
 float across_light(float place) {
     float t = place / float(slice_counts.y);
