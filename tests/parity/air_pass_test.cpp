@@ -77,7 +77,8 @@ void main() {
     }
 
     // Red, green, blue and 1 of each pixel, the lowest row first.
-    std::vector<float> draw(const render::AirPass& air, const Camera& camera, Vec3 towards_sun, Wall wall) const {
+    std::vector<float> draw(const render::AirPass& air, const Camera& camera, Vec3 towards_sun, Wall wall,
+                            const gpu::Texture* shade = nullptr) const {
         surfaces_->begin();
         if (wall.distance_m > 0.0) {
             const auto f = [](double x) { return static_cast<float>(x); };
@@ -91,7 +92,7 @@ void main() {
         render::GeometryBuffer::end();
         camera_block_.bind(camera);
         target_->bind();
-        air.draw(*surfaces_);
+        air.draw(*surfaces_, shade);
         std::vector<float> pixels(4 * width * height);
         radiance_.read(pixels);
         return pixels;
@@ -257,5 +258,41 @@ TEST_CASE("hillaire2020 on the GPU is within 3 % of hillaire2020 on the CPU in t
                 errors.push_back(mean_error(pictures.draw(air, camera, sun, wall), model, *sky, camera, sun, wall));
             fmt::print("  {:>7.0f} m, sun {:>2.0f} {:>8.3f} {:>10.3f}\n", altitude_m, sun_deg, 100.0 * errors[0], 100.0 * errors[1]);
             for (const double error : errors) CHECK(error <= (altitude_m > 1e5 ? 0.1 : 0.03));
+        }
+}
+
+TEST_CASE("in the shadow only light scattered twice and more is left, by the exact pass and in real time alike") {
+    const GpuCase gpu_case;
+    if (!gpu_case) return;
+    const Truth model;
+    Result<std::unique_ptr<render::AirMethod>> method = render::airlight_air(model.baked, colours);
+    if (!method) FAIL(method.error().message());
+    render::AirPass fast = model.pass(*std::move(method)), exact = model.pass(render::exact_air(model.baked, colours));
+    const Pictures pictures;
+    const gpu::Texture lit({1, 1}, std::array{1.0f, 1.0f, 1.0f, 1.0f}), dark({1, 1}, std::array{0.0f, 0.0f, 0.0f, 0.0f});
+    fmt::print("  once, %    of that in real time, %\n");
+    for (const auto& [altitude_m, pitch_deg] : {std::pair{2.0, 12.0}, {1e4, -5.0}, {4e5, -25.0}})
+        for (const double sun_deg : {30.0, 85.0}) {
+            const Camera camera = camera_above(model, altitude_m, pitch_deg);
+            const Vec3 sun = sun_at(model, sun_deg);
+            pictures.prepare(exact, camera, sun);
+            const std::vector<float> open = pictures.draw(exact, camera, sun, {}), shaded = pictures.draw(exact, camera, sun, {}, &dark);
+            CHECK((pictures.draw(exact, camera, sun, {}, &lit) == open));
+            pictures.prepare(fast, camera, sun);
+            const std::vector<float> fast_open = pictures.draw(fast, camera, sun, {}),
+                                     fast_shaded = pictures.draw(fast, camera, sun, {}, &dark);
+            double all = 0.0, once = 0.0, difference = 0.0;
+            for (std::size_t i = 0; i < open.size(); ++i) {
+                if (i % 4 == 3) continue;
+                const double lost = static_cast<double>(open[i] - shaded[i]),
+                             fast_lost = static_cast<double>(fast_open[i] - fast_shaded[i]);
+                CHECK(lost >= 0.0);
+                all += static_cast<double>(open[i]);
+                once += lost;
+                difference += std::abs(fast_lost - lost);
+            }
+            fmt::print("  {:>7.2f}    {:.3f}\n", 100.0 * once / all, 100.0 * difference / once);
+            CHECK(once / all > 0.3);
+            CHECK(difference / once <= 0.03);
         }
 }
