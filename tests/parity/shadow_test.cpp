@@ -198,3 +198,45 @@ TEST_CASE("a surface is in the sun where the field of heights leaves its light a
             CHECK(percent(n.acne, n.sure) < 0.5);
         }
 }
+
+TEST_CASE("shadow maps do not crawl: whatever the eye does, texels stay as wide and where they are") {
+    const HeightField field = procedural_height({});
+    const render::LightAxes axes = render::light_axes(glm::normalize(Vec3(0.3, -0.5, 0.8)));
+    std::vector<render::Cascade> first;
+    for (int n = 0; n < 40; ++n) {
+        Camera camera = look(
+            Viewpoint{
+                .latitude = 0.6 + 1e-6 * n, .longitude = 0.5, .altitude_m = 9000.0 + 1.7 * n, .heading = 0.16 * n, .pitch = 0.02 * n - 0.4},
+            field.radius_m);
+        const std::vector<render::Cascade> all = render::cascades(camera, axes, field, 1024);
+        if (n == 0) first = all;
+        REQUIRE(all.size() == first.size());
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            CHECK(all[i].texel_m == first[i].texel_m);
+            for (const double corner :
+                 {glm::dot(camera.eye, axes.right) + all[i].centre.x, glm::dot(camera.eye, axes.up) + all[i].centre.y})
+                CHECK(std::abs(std::remainder(corner, all[i].texel_m)) < 1e-5 * all[i].texel_m + 1e-8);
+        }
+    }
+}
+
+TEST_CASE("a shadow map holds all that the camera sees at its distances, with what a filter reaches beyond") {
+    const HeightField field = procedural_height({});
+    const render::LightAxes axes = render::light_axes(glm::normalize(Vec3(0.3, -0.5, 0.8)));
+    for (const double altitude_m : {2.0, 9000.0, 4e5, 2e7})
+        for (const double field_of_view : {10.0 * deg, 60.0 * deg, 110.0 * deg}) {
+            Camera camera =
+                look(Viewpoint{.latitude = 0.6, .longitude = 0.5, .altitude_m = altitude_m, .heading = 1.0, .pitch = -0.3}, field.radius_m);
+            camera.vertical_field_of_view = field_of_view;
+            for (const render::Cascade& c : render::cascades(camera, axes, field, 1024))
+                for (const double distance : {c.from_m, 0.5 * (c.from_m + c.to_m), c.to_m})
+                    for (const double x : {-1.0, 0.0, 1.0})
+                        for (const double y : {-1.0, 0.3, 1.0}) {
+                            const Vec3 p = distance * direction_at(camera, x, y);
+                            const double beyond = 3.0 * c.texel_m;
+                            CHECK(std::abs(glm::dot(p, axes.right) - c.centre.x) <= c.half_width_m - beyond);
+                            CHECK(std::abs(glm::dot(p, axes.up) - c.centre.y) <= c.half_width_m - beyond);
+                            CHECK(glm::dot(p, axes.towards_sun) >= c.lowest_m);
+                        }
+        }
+}
