@@ -40,7 +40,8 @@ Result<DrawnFrame> draw_scene(const Scene& scene, int width, int height, const T
     if (!pass) return pass.error();
     Result<render::ShaftsPass> shafts = shafts_pass_of(*air, scene, width, height);
     if (!shafts) return shafts.error();
-    Result<render::Frame> frame = render::Frame::create(*context, *ground, *colour, *camera, *std::move(pass), *std::move(shafts));
+    Result<render::Frame> frame =
+        render::Frame::create(*context, *ground, *colour, *camera, *std::move(pass), *std::move(shafts), stars_of(scene));
     if (!frame) return frame.error();
     Result<Image> image = frame->draw(*camera, lights_of(scene));
     if (!image) return image.error();

@@ -79,7 +79,11 @@ render::Shafts shafts_of(ShaftsName name) {
 render::Lights lights_of(const Scene& scene) {
     const RgbConverter converter(RgbSpace::srgb, WhitePoint::d65);
     const Rgb sun = converter.into_gamut(converter.to_rgb(to_xyz(solar_irradiance(scene.sun.distance_au))));
-    return {.towards_sun = towards_sun(scene), .sun = {sun.r, sun.g, sun.b}, .sky = Vec3(0.0)};
+    return {.towards_sun = towards_sun(scene),
+            .sun = {sun.r, sun.g, sun.b},
+            .sky = Vec3(0.0),
+            .sun_distance_au = scene.sun.distance_au,
+            .moon_m = moon_place(scene)};
 }
 
 Result<std::optional<Atmosphere>> air_of(const Scene& scene) {

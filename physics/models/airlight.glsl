@@ -270,6 +270,12 @@ FN void airlight_gather(WITH_AIRLIGHT_AIR IN(PACKED_TABLE_2D(Spectrum)) transmit
     Length r = air.bottom + node.h;
     Number mu_s = clamp(((air.bottom + ray.h) * ray.mu_s + ray.nu * node.distance) / r, Number(-1.0), Number(1.0));
     LengthSpectrum lit = node.seen * airlight_sunlight(AIRLIGHT_AIR transmittance, node.h, mu_s);
+    LengthSpectrum seen = node.seen;
+#ifdef AIRLIGHT_PASSING  // what stands before the sun, if who includes this text tells of it
+    Passing passing = AIRLIGHT_PASSING(node.distance);
+    lit = lit * passing.sun;
+    seen = seen * passing.sky;
+#endif
     ScatteringSpectrum scattering = air.scattering[0] * node.density.of[0];
     sums.lit[0] = sums.lit[0] + lit * node.density.of[0];
     for (int p = 1; p < airlight_parts; ++p)
@@ -277,7 +283,7 @@ FN void airlight_gather(WITH_AIRLIGHT_AIR IN(PACKED_TABLE_2D(Spectrum)) transmit
             scattering = scattering + air.scattering[p] * node.density.of[p];
             sums.lit[p] = sums.lit[p] + lit * node.density.of[p];
         }
-    sums.multiple = sums.multiple + airlight_source(AIRLIGHT_AIR source, node.h, node.mu, mu_s, ray.nu) * (scattering * node.seen);
+    sums.multiple = sums.multiple + airlight_source(AIRLIGHT_AIR source, node.h, node.mu, mu_s, ray.nu) * (scattering * seen);
 }
 
 // How far a ray runs in the air.
@@ -327,8 +333,13 @@ FN AirlightLight airlight_light(WITH_AIRLIGHT_AIR IN(TABLE_2D(Spectrum)) densiti
         x = to;
     }
     AirlightLight light = airlight_summed(AIRLIGHT_AIR sums, columns);
-    if (grounded)
-        light.multiple = light.multiple + airlight_ground(AIRLIGHT_AIR transmittance, diffuse, airlight_ground_sun(AIRLIGHT_AIR ray, length)) *
-                                              light.transmittance;
+    if (grounded) {
+        Number mu_s = airlight_ground_sun(AIRLIGHT_AIR ray, length);
+        RadianceSpectrum ground = airlight_ground(AIRLIGHT_AIR transmittance, diffuse, mu_s);
+#ifdef AIRLIGHT_PASSING
+        ground = ground * AIRLIGHT_PASSING(length).sun;
+#endif
+        light.multiple = light.multiple + ground * light.transmittance;
+    }
     return light;
 }

@@ -38,6 +38,11 @@ void VertexArray::draw_triangles(int vertices) const {
     glDrawArrays(GL_TRIANGLES, 0, vertices);
 }
 
+void VertexArray::draw_points(int vertices) const {
+    glBindVertexArray(name());
+    glDrawArrays(GL_POINTS, 0, vertices);
+}
+
 void VertexArray::draw_indexed(int indices, int instances) const {
     glBindVertexArray(name());
     glDrawElementsInstanced(GL_TRIANGLES, indices, GL_UNSIGNED_SHORT, nullptr, instances);

@@ -30,8 +30,9 @@ public:
     // 16-bit indices of triangles' corners, in `indices`, which outlives this; vertices from gl_VertexID.
     static VertexArray indexed(const Buffer& indices);
 
-    // Draws triangles, three vertices (or indices) each, `instances` times, into the bound framebuffer with the program in use.
+    // Draws triangles, three vertices (or indices) each, `instances` times, or points, into the bound framebuffer with the program in use.
     void draw_triangles(int vertices) const;
+    void draw_points(int vertices) const;
     void draw_indexed(int indices, int instances = 1) const;
 
     unsigned name() const { return handle_.name(); }

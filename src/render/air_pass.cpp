@@ -6,6 +6,7 @@
 #include <cassert>
 #include <utility>
 
+#include "render/eclipse_table.h"
 #include "render/shaders.h"
 
 namespace airlight::render {
@@ -36,46 +37,75 @@ Result<AirPass> AirPass::create(const ColouredAir& air, std::unique_ptr<AirMetho
         return four(colour_of_sun(air, [&](Wavelength w) { return u.at(w).value; }) / whole, 0.0);
     };
     const View view{.eye_up = {},
-                    .towards_sun = {0.0f, 0.0f, 0.0f, static_cast<float>(sun.angular_radius)},
+                    .towards_sun = {},
                     .shell = {static_cast<float>(air.atmosphere.bottom_radius.in(m)), static_cast<float>(air.atmosphere.top_altitude.in(m)),
                               0.0f, 0.0f},
                     .colour_of_sun = four(whole, 0.0),
                     .limb_darkening_1 = mean(sun.limb_darkening_1),
                     .limb_darkening_2 = mean(sun.limb_darkening_2),
-                    .ground_albedo = mean(air.atmosphere.ground_albedo)};
-    return AirPass(std::move(*made), std::move(method), view, air.atmosphere.bottom_radius.in(m));
+                    .ground_albedo = mean(air.atmosphere.ground_albedo),
+                    .moon = {},
+                    .eclipse = {}};
+    return AirPass(std::move(*made), std::move(method), view, air.atmosphere);
 }
 
-AirPass::AirPass(gpu::Program program, std::unique_ptr<AirMethod> method, const View& view, double bottom_m)
+AirPass::AirPass(gpu::Program program, std::unique_ptr<AirMethod> method, const View& view, Atmosphere atmosphere)
     : program_(std::move(program)),
       method_(std::move(method)),
       view_(view),
-      bottom_m_(bottom_m),
+      atmosphere_(std::move(atmosphere)),
       view_block_(sizeof(View)),
-      lit_({1, 1}, std::array{1.0f, 1.0f, 1.0f, 1.0f}) {}
+      lit_({1, 1}, std::array{1.0f, 1.0f, 1.0f, 1.0f}),
+      covered_sun_({1, 1}) {}
 
-void AirPass::prepare(const Camera& camera, Vec3 towards_sun, gpu::PassTimers& timers) {
-    const double radius_m = glm::length(camera.eye);
-    view_.eye_up = four(camera.eye / radius_m, radius_m - bottom_m_);
-    view_.towards_sun = four(towards_sun, static_cast<double>(view_.towards_sun[3]));
+void AirPass::prepare(const Camera& camera, Vec3 towards_sun, gpu::PassTimers& timers, const std::optional<Eclipse>& eclipse) {
+    const double radius_m = glm::length(camera.eye), altitude_m = radius_m - atmosphere_.bottom_radius.in(m);
+    view_.eye_up = four(camera.eye / radius_m, altitude_m);
+    view_.towards_sun = four(towards_sun, eclipse ? eclipse->sun_radius : atmosphere_.sun.angular_radius);
+    view_.moon = eclipse ? four(eclipse->moon_m, eclipse->moon_radius_m) : Four{};
+    view_.eclipse = {};
+    if (eclipse) {
+        const double reach_m = (atmosphere_.bottom_radius + atmosphere_.top_altitude).in(m);
+        const EclipseTable table = eclipse_table(*eclipse, -camera.eye, reach_m);
+        view_.eclipse = {static_cast<float>(1.0 / eclipse->sun_distance_m), table.first_ratio, table.last_ratio, 0.0f};
+        covered_sun_ = gpu::Texture({EclipseTable::columns, EclipseTable::rows}, table.texels);
+    }
     view_block_.write(std::as_bytes(std::span(&view_, 1)));
     view_block_.bind_uniform(view_binding);
-    method_->prepare({radius_m - bottom_m_, glm::dot(camera.eye, towards_sun) / radius_m}, timers);
+    method_->prepare({altitude_m, glm::dot(camera.eye, towards_sun) / radius_m}, timers);
 }
 
-void AirPass::draw(const GeometryBuffer& surfaces, const gpu::Texture* shade) const {
+void AirPass::draw(const GeometryBuffer& surfaces, const gpu::Texture* shade, const gpu::Texture* background) {
+    glDisable(GL_BLEND);
+    draw_pictures(surfaces, shade, background);
+}
+
+void AirPass::add(const GeometryBuffer& surfaces, Vec3 shares) {
+    glBlendColor(static_cast<float>(shares.r), static_cast<float>(shares.g), static_cast<float>(shares.b), 0.0f);
+    glBlendFunc(GL_CONSTANT_COLOR, GL_ONE);
+    glEnable(GL_BLEND);
+    draw_pictures(surfaces, nullptr, nullptr);
+}
+
+void AirPass::draw_pictures(const GeometryBuffer& surfaces, const gpu::Texture* shade, const gpu::Texture* background) {
+    view_.shell[2] = background ? 1.0f : 0.0f;
+    view_block_.write(std::as_bytes(std::span(&view_, 1)));
     view_block_.bind_uniform(view_binding);
     unsigned binding = 0;
     for (const gpu::Texture* texture : {&surfaces.depth(), &surfaces.colour(), &surfaces.normal(), &surfaces.material()})
         texture->bind_sampler(binding++);
+    (background ? *background : lit_).bind_sampler(4);
+    covered_sun_.bind_sampler(5);
     (shade ? *shade : lit_).bind_sampler(7);
     program_.use();
     glDisable(GL_DEPTH_TEST);
-    glBlendFunc(GL_ONE, GL_ONE);
     for (int picture = 0; picture < method_->pictures(); ++picture) {
         method_->bind(picture);
         triangle_.draw_triangles(3);
-        glEnable(GL_BLEND);  // the next adds to it
+        if (!glIsEnabled(GL_BLEND)) {  // the next adds to it
+            glBlendFunc(GL_ONE, GL_ONE);
+            glEnable(GL_BLEND);
+        }
     }
     glDisable(GL_BLEND);
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "camera/camera.h"
 #include "gpu/buffer.h"
@@ -12,6 +13,7 @@
 #include "gpu/vertex_array.h"
 #include "render/air_method.h"
 #include "render/geometry_buffer.h"
+#include "render/heavens.h"
 
 namespace airlight::render {
 
@@ -20,26 +22,33 @@ public:
     // `air` is what `method` was made for.
     static Result<AirPass> create(const ColouredAir& air, std::unique_ptr<AirMethod> method);
 
-    // Makes the tables of the frame that draw() draws. Binds framebuffers of its own.
-    void prepare(const Camera& camera, Vec3 towards_sun, gpu::PassTimers& timers);
+    // Makes the tables of the frame that draw() draws. Binds framebuffers of its own. `eclipse`: what takes sunlight from the planet.
+    void prepare(const Camera& camera, Vec3 towards_sun, gpu::PassTimers& timers, const std::optional<Eclipse>& eclipse = {});
 
     // Draws into the bound framebuffer, whose colours are floats: red, green and blue; alpha means nothing. A CameraBlock of the same
     // camera is bound. Hues beyond the triangle of the primaries have negative parts. `shade`: of ShaftsPass, where anything casts a
-    // shadow.
-    void draw(const GeometryBuffer& surfaces, const gpu::Texture* shade = nullptr) const;
+    // shadow. `background`: of BackgroundPass, what stands above the air.
+    void draw(const GeometryBuffer& surfaces, const gpu::Texture* shade = nullptr, const gpu::Texture* background = nullptr);
+
+    // Adds the light of the air and on surfaces, as if the sun, where prepare() was told that it stands, shone with shares of its light.
+    void add(const GeometryBuffer& surfaces, Vec3 shares);
+
+    const Atmosphere& atmosphere() const { return atmosphere_; }
 
 private:
     struct View {
-        Four eye_up, towards_sun, shell, colour_of_sun, limb_darkening_1, limb_darkening_2, ground_albedo;
+        Four eye_up, towards_sun, shell, colour_of_sun, limb_darkening_1, limb_darkening_2, ground_albedo, moon, eclipse;
     };
-    AirPass(gpu::Program program, std::unique_ptr<AirMethod> method, const View& view, double bottom_m);
+    AirPass(gpu::Program program, std::unique_ptr<AirMethod> method, const View& view, Atmosphere atmosphere);
+    void draw_pictures(const GeometryBuffer& surfaces, const gpu::Texture* shade, const gpu::Texture* background);
 
     gpu::Program program_;
     std::unique_ptr<AirMethod> method_;
     View view_;
-    double bottom_m_;
+    Atmosphere atmosphere_;
     gpu::Buffer view_block_;
     gpu::Texture lit_;  // the shade where there is none
+    gpu::Texture covered_sun_;
     gpu::VertexArray triangle_;
 };
 

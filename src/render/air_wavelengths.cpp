@@ -22,11 +22,15 @@ gpu::Texture texture_of(const PackPhases& phases, int first) {
     return gpu::Texture({static_cast<int>(texels.size()) / row, f32::airlight_parts}, texels);
 }
 
-// `uniform AirColours`.
-std::array<Four, 4> colours_of(int first, std::span<const Vec3> colours) {
-    std::array<Four, 4> block{};
-    for (std::size_t w = 0; w < block.size(); ++w)
-        if (static_cast<std::size_t>(first) + w < colours.size()) block[w] = four(colours[static_cast<std::size_t>(first) + w], 0.0);
+// `uniform AirColours`: the colour of each wavelength, then the two coefficients of limb darkening.
+std::array<Four, 6> colours_of(const AirOptics& optics, int first, std::span<const Vec3> colours) {
+    std::array<Four, 6> block{};
+    for (std::size_t w = 0; w < 4; ++w) {
+        const std::size_t at = static_cast<std::size_t>(first) + w;
+        if (at < colours.size()) block[w] = four(colours[at], 0.0);
+        block[4][w] = static_cast<float>(optics.sun.limb_darkening_1.at(optics.wavelengths[at]).value);
+        block[5][w] = static_cast<float>(optics.sun.limb_darkening_2.at(optics.wavelengths[at]).value);
+    }
     return block;
 }
 
@@ -35,7 +39,7 @@ void add_groups(const Tables::Pack& pack, std::span<const Vec3> colours, int nod
     const AirlightTables t = airlight_tables(pack, nodes);
     const PackPhases phases(pack.optics);
     for (int first = 0; first < pack.optics.wavelength_count; first += gpu_wavelengths) {
-        const std::array<Four, 4> block = colours_of(first, colours);
+        const std::array<Four, 6> block = colours_of(pack.optics, first, colours);
         groups.push_back({gpu::Buffer(airlight_block(t.air, first)), gpu::Buffer(std::as_bytes(std::span(block))),
                           gpu::Texture({t.air.density_axis.texels, 2}, gpu_densities(t)), texture_of(t.transmittance, false, first),
                           texture_of(t.source, true, first), texture_of(t.diffuse, false, first), texture_of(phases, first)});

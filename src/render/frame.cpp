@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 namespace airlight::render {
@@ -20,10 +21,15 @@ Image image_of(const gpu::Texture& radiance) {
     return image;
 }
 
+// Where the sun stands so low under the eye that the full moon's light, a 400 000th of its, begins to tell.
+bool is_night(const Camera& camera, const Heavens& heavens) {
+    return glm::dot(glm::normalize(camera.eye), heavens.towards_sun) < std::sin(-6.0 * deg);
+}
+
 }  // namespace
 
 Result<Frame> Frame::create(const gpu::Context& context, const HeightField& ground, GroundColour colour, const Camera& like,
-                            std::optional<AirPass> air, std::optional<ShaftsPass> shafts) {
+                            std::optional<AirPass> air, std::optional<ShaftsPass> shafts, std::span<const Star> stars) {
     Result<TerrainPass> terrain = TerrainPass::create(
         std::move(ground), {.pixels_per_radian = pixels_per_radian(like), .pixels_of_square = 5.0}, {}, std::move(colour));
     if (!terrain) return terrain.error();
@@ -31,23 +37,27 @@ Result<Frame> Frame::create(const gpu::Context& context, const HeightField& grou
     if (!light) return light.error();
     Result<ShadowPass> shadows = ShadowPass::create();
     if (!shadows) return shadows.error();
+    Result<BackgroundPass> background = BackgroundPass::create(like.width, like.height, stars);
+    if (!background) return background.error();
     Result<GeometryBuffer> surfaces = GeometryBuffer::create(like.width, like.height);
     if (!surfaces) return surfaces.error();
     gpu::Texture radiance({like.width, like.height});
     Result<gpu::Framebuffer> target = gpu::Framebuffer::create({&radiance});
     if (!target) return target.error();
     return Frame(context, std::move(*terrain), std::move(*light), std::move(air), std::move(*shadows), std::move(shafts),
-                 std::move(*surfaces), std::move(radiance), std::move(*target));
+                 std::move(*background), std::move(*surfaces), std::move(radiance), std::move(*target));
 }
 
 Frame::Frame(const gpu::Context& context, TerrainPass terrain, LightPass light, std::optional<AirPass> air, ShadowPass shadows,
-             std::optional<ShaftsPass> shafts, GeometryBuffer surfaces, gpu::Texture radiance, gpu::Framebuffer target)
+             std::optional<ShaftsPass> shafts, BackgroundPass background, GeometryBuffer surfaces, gpu::Texture radiance,
+             gpu::Framebuffer target)
     : context_(&context),
       terrain_(std::move(terrain)),
       light_(std::move(light)),
       air_(std::move(air)),
       shadows_(std::move(shadows)),
       shafts_(std::move(shafts)),
+      background_(std::move(background)),
       surfaces_(std::move(surfaces)),
       radiance_(std::move(radiance)),
       target_(std::move(target)) {}
@@ -66,14 +76,17 @@ Result<Done> Frame::render(const Camera& camera, const Lights& lights) {
         terrain_.draw(camera);
         GeometryBuffer::end();
     }
-    if (air_) air_->prepare(camera, lights.towards_sun, timers_);
-    if (shafts_) draw_shade(camera, lights.towards_sun);
+    const Heavens heavens{lights.towards_sun, lights.sun_distance_au, lights.moon_m};
     {
-        const auto pass = timers_.time(air_ ? "air" : "light");
+        const auto pass = timers_.time("background");
+        background_.draw(camera, heavens, air_ ? &air_->atmosphere() : nullptr);
+    }
+    if (air_) draw_air(camera, heavens);
+    else {
+        if (shafts_) draw_shade(camera, lights.towards_sun);
+        const auto pass = timers_.time("light");
         target_.bind();
-        const gpu::Texture* shade = shafts_ ? &shafts_->shade() : nullptr;
-        if (air_) air_->draw(surfaces_, shade);
-        else light_.draw(surfaces_, lights, shade);
+        light_.draw(surfaces_, lights, shafts_ ? &shafts_->shade() : nullptr, &background_.radiance());
     }
     times_ = timers_.read();
     return context_->check();
@@ -86,6 +99,24 @@ void Frame::draw_shade(const Camera& camera, Vec3 towards_sun) {
     }
     const auto pass = timers_.time("shafts");
     shafts_->draw(surfaces_, shadows_, camera, towards_sun);
+}
+
+void Frame::draw_air(const Camera& camera, const Heavens& heavens) {
+    const Length reach = air_->atmosphere().bottom_radius + air_->atmosphere().top_altitude;
+    const bool night = is_night(camera, heavens), shaded = shafts_ && !night;
+    air_->prepare(camera, heavens.towards_sun, timers_, eclipse_of(heavens, camera.eye, reach.in(m)));
+    if (shaded) draw_shade(camera, heavens.towards_sun);
+    {
+        const auto pass = timers_.time("air");
+        target_.bind();
+        air_->draw(surfaces_, shaded ? &shafts_->shade() : nullptr, &background_.radiance());
+    }
+    const std::optional<MoonSeen> moon = moon_seen(heavens, camera.eye);
+    if (!moon || !night) return;
+    air_->prepare(camera, moon->towards, timers_);
+    const auto pass = timers_.time("moonlit air");
+    target_.bind();
+    air_->add(surfaces_, moon->illuminance / sunlight(heavens, SpectrumOf<Number>::constant(1.0)));
 }
 
 }  // namespace airlight::render

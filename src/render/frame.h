@@ -9,6 +9,7 @@
 #include "gpu/pass_timers.h"
 #include "image/image.h"
 #include "render/air_pass.h"
+#include "render/background_pass.h"
 #include "render/camera_block.h"
 #include "render/light_pass.h"
 #include "render/shafts_pass.h"
@@ -18,12 +19,12 @@ namespace airlight::render {
 
 class Frame {
 public:
-    // For pictures of this size and field of view; `context` outlives it. Without `shafts` nothing casts a shadow; shafts that have an air
+    // For pictures of this size and field of view, under these stars; `context` outlives it. Without `shafts` nothing casts a shadow; shafts that have an air
     // need `air`.
     static Result<Frame> create(const gpu::Context& context, const HeightField& ground, GroundColour colour, const Camera& like,
-                                std::optional<AirPass> air, std::optional<ShaftsPass> shafts = {});
+                                std::optional<AirPass> air, std::optional<ShaftsPass> shafts = {}, std::span<const Star> stars = {});
 
-    // Red, green and blue of each pixel: with air, in the unit of its colours, and lights.towards_sun alone counts; without, in the unit
+    // Red, green and blue of each pixel: with air, in cd m-2, and the lights' irradiances do not count; without, in the unit
     // of the lights a steradian, black where there is nothing. The camera has the size that the frame was made for. Fails if the GPU was
     // reset.
     Result<Image> draw(const Camera& camera, const Lights& lights);
@@ -43,9 +44,11 @@ public:
 
 private:
     Frame(const gpu::Context& context, TerrainPass terrain, LightPass light, std::optional<AirPass> air, ShadowPass shadows,
-          std::optional<ShaftsPass> shafts, GeometryBuffer surfaces, gpu::Texture radiance, gpu::Framebuffer target);
+          std::optional<ShaftsPass> shafts, BackgroundPass background, GeometryBuffer surfaces, gpu::Texture radiance,
+          gpu::Framebuffer target);
 
     void draw_shade(const Camera& camera, Vec3 towards_sun);
+    void draw_air(const Camera& camera, const Heavens& heavens);
 
     const gpu::Context* context_;
     CameraBlock camera_;
@@ -54,6 +57,7 @@ private:
     std::optional<AirPass> air_;
     ShadowPass shadows_;
     std::optional<ShaftsPass> shafts_;
+    BackgroundPass background_;
     GeometryBuffer surfaces_;
     gpu::Texture radiance_;
     gpu::Framebuffer target_;

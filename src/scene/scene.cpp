@@ -27,6 +27,17 @@ std::optional<ShaftsName> shafts_named(std::string_view name) {
     return {};
 }
 
+namespace {
+
+// Over the camera's place.
+Vec3 direction_over(const Scene& scene, double zenith, double azimuth) {
+    Viewpoint level = scene.camera.viewpoint;
+    level.heading = azimuth, level.pitch = 0.5 * pi - zenith;
+    return look(level, scene.ground.radius_m).forward;
+}
+
+}  // namespace
+
 Result<HeightField> ground_of(const Scene& scene) {
     const GroundScene& g = scene.ground;
     if (!g.elevation) {
@@ -59,10 +70,18 @@ Result<Camera> camera_of(const Scene& scene, const HeightField& ground, int widt
     return camera;
 }
 
-Vec3 towards_sun(const Scene& scene) {
-    Viewpoint level = scene.camera.viewpoint;
-    level.heading = scene.sun.azimuth, level.pitch = 0.5 * pi - scene.sun.zenith;
-    return look(level, scene.ground.radius_m).forward;
+Vec3 towards_sun(const Scene& scene) { return direction_over(scene, scene.sun.zenith, scene.sun.azimuth); }
+
+std::optional<Vec3> moon_place(const Scene& scene) {
+    if (!scene.moon) return std::nullopt;
+    const Viewpoint& at = scene.camera.viewpoint;
+    return scene.ground.radius_m * direction_of(at.latitude, at.longitude) +
+           scene.moon->distance_m * direction_over(scene, scene.moon->zenith, scene.moon->azimuth);
+}
+
+std::vector<Star> stars_of(const Scene& scene) {
+    if (!scene.stars) return {};
+    return stars_at(scene.stars->time, scene.stars->faintest);
 }
 
 }  // namespace airlight

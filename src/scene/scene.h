@@ -1,5 +1,5 @@
-// What a picture shows: a ground, a camera and a sun, as a person writes them down. docs/scene-file.md.
-// Uses camera, sun and terrain; knows no GPU.
+// What a picture shows: a ground, a camera, a sun, a moon and stars, as a person writes them down. docs/scene-file.md.
+// Uses camera, sun, celestial and terrain; knows no GPU.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "camera/camera.h"
+#include "celestial/stars.h"
 #include "core/result.h"
 #include "terrain/tile.h"
 
@@ -57,6 +59,23 @@ struct AirScene {
     ShaftsName shafts = ShaftsName::epipolar;
 };
 
+// As seen from the camera's place; its phase follows from where the sun stands.
+struct MoonScene {
+    double zenith;
+    double azimuth;
+    double distance_m;
+
+    friend bool operator==(const MoonScene&, const MoonScene&) = default;
+};
+
+// Those that stand over the Earth at a moment.
+struct StarScene {
+    Utc time;
+    double faintest = 6.0;  // magnitude
+
+    friend bool operator==(const StarScene&, const StarScene&) = default;
+};
+
 struct Scene {
     std::string file;                        // for messages
     std::string atmosphere = "earth-clear";  // a preset or a file, its path relative to that of the scene; "none" is no air
@@ -64,6 +83,8 @@ struct Scene {
     GroundScene ground;
     CameraScene camera;
     SunScene sun;
+    std::optional<MoonScene> moon;
+    std::optional<StarScene> stars;
 };
 
 // The scene of a TOML text; paths in it are relative to the folder of `file`. Fails with file, line, key, value, the rule and what to do.
@@ -81,5 +102,11 @@ Result<Camera> camera_of(const Scene& scene, const HeightField& ground, int widt
 
 // Of length one, along the axes of the world.
 Vec3 towards_sun(const Scene& scene);
+
+// The moon's centre, in metres from the planet's: from the ground under the camera it stands where the scene says.
+std::optional<Vec3> moon_place(const Scene& scene);
+
+// None if the scene has none.
+std::vector<Star> stars_of(const Scene& scene);
 
 }  // namespace airlight

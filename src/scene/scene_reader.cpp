@@ -89,31 +89,71 @@ void read_camera(TomlInput& file, Scene& scene) {
     camera->refuse_unknown_keys();
 }
 
-// The sun over the camera's place at a moment.
-void read_time(TomlInput& sun, Scene& scene) {
+Result<Utc> moment(TomlInput& table) {
+    const auto words = table.text("time");
+    if (!words) return Error{};
+    Result<Utc> time = parse_utc(*words);
+    if (!time) table.refuse("time", time.error().what, time.error().remedy);
+    return time;
+}
+
+void refuse_beside_time(TomlInput& table, std::string_view what) {
     for (const char* key : {"zenith", "azimuth"})
-        if (sun.has(key)) sun.refuse(key, "time is given as well, which says where the sun stands", "Keep one of them.");
-    const auto words = sun.text("time");
-    if (!words) return;
-    const Result<Utc> time = parse_utc(*words);
-    if (!time) {
-        sun.refuse("time", time.error().what, time.error().remedy);
-        return;
-    }
+        if (table.has(key))
+            table.refuse(key, fmt::format("time is given as well, which says where the {} stands", what), "Keep one of them.");
+}
+
+void read_place(TomlInput& table, double& zenith, double& azimuth) {
+    keep_within(table, "zenith", table.angle("zenith"), 0.0, pi, "from 0 deg to 180 deg", zenith);
+    keep_within(table, "azimuth", table.angle("azimuth"), -360.0 * deg, 360.0 * deg, "from -360 deg to 360 deg", azimuth);
+}
+
+// Sun, moon and stars over the camera's place at a moment.
+void place_heavens(const Utc& time, Scene& scene) {
     const Viewpoint& at = scene.camera.viewpoint;
-    const SunPosition position = sun_position({at.latitude, std::remainder(at.longitude, 2.0 * pi), 0.0 * m}, *time);
-    scene.sun = {position.direction.zenith, position.direction.azimuth, position.distance_au};
+    const Place place{at.latitude, std::remainder(at.longitude, 2.0 * pi), 0.0 * m};
+    const SunPosition sun = sun_position(place, time);
+    const MoonPosition moon = moon_position(place, time);
+    scene.sun = {sun.direction.zenith, sun.direction.azimuth, sun.distance_au};
+    scene.moon = MoonScene{moon.direction.zenith, moon.direction.azimuth, moon.distance.in(m)};
+    scene.stars = StarScene{time};
 }
 
 void read_sun(TomlInput& file, Scene& scene) {
     auto sun = file.table("sun");
     if (!sun) return;
-    if (sun->has("time")) read_time(*sun, scene);
-    else {
-        keep_within(*sun, "zenith", sun->angle("zenith"), 0.0, pi, "from 0 deg to 180 deg", scene.sun.zenith);
-        keep_within(*sun, "azimuth", sun->angle("azimuth"), -360.0 * deg, 360.0 * deg, "from -360 deg to 360 deg", scene.sun.azimuth);
-    }
+    if (sun->has("time")) {
+        refuse_beside_time(*sun, "sun");
+        if (const Result<Utc> time = moment(*sun)) place_heavens(*time, scene);
+    } else read_place(*sun, scene.sun.zenith, scene.sun.azimuth);
     sun->refuse_unknown_keys();
+}
+
+// Whether the scene shows what the table is about.
+bool visible(TomlInput& table) { return table.truth("visible").value_or(true); }
+
+void read_moon(TomlInput& file, Scene& scene) {
+    auto moon = file.table("moon");
+    if (!moon) return;
+    MoonScene place = scene.moon.value_or(MoonScene{45.0 * deg, 180.0 * deg, 384400e3});
+    read_place(*moon, place.zenith, place.azimuth);
+    keep_within(*moon, "distance", metres(moon->length("distance")), 1e7, 1e10, "from 10000 km to 10000000 km", place.distance_m);
+    scene.moon = place;
+    if (!visible(*moon)) scene.moon.reset();
+    moon->refuse_unknown_keys();
+}
+
+void read_stars(TomlInput& file, Scene& scene) {
+    auto stars = file.table("stars");
+    if (!stars) return;
+    if (stars->has("time")) {
+        if (const Result<Utc> time = moment(*stars)) scene.stars = StarScene{*time};
+    } else if (!scene.stars && visible(*stars)) stars->refuse_missing("time", "Write time = \"2024-06-21T22:00:00Z\", here or in [sun].");
+    double faintest = 6.0;
+    keep_within(*stars, "faintest", stars->number("faintest"), -2.0, 6.0, "a magnitude from -2 to 6", faintest);
+    if (scene.stars) scene.stars->faintest = faintest;
+    if (!visible(*stars)) scene.stars.reset();
+    stars->refuse_unknown_keys();
 }
 
 }  // namespace
@@ -129,8 +169,8 @@ Result<Scene> parse_scene(std::string_view toml, std::string_view name) {
     read_air(file, scene);
     read_ground(file, scene, std::filesystem::path(name).parent_path());
     read_camera(file, scene);
-    if (!failure.first) read_sun(file, scene);
-    else file.has("sun");
+    if (!failure.first) read_sun(file, scene), read_moon(file, scene), read_stars(file, scene);
+    else file.has("sun"), file.has("moon"), file.has("stars");
     file.refuse_unknown_keys();
     if (failure.first) return *failure.first;
     return scene;

@@ -14,10 +14,9 @@ namespace airlight {
 
 namespace {
 
-constexpr double au_m = 149597870700.0;  // IAU 2012 resolution B2
+constexpr double au_m = astronomical_unit.value;
 constexpr double light_days_per_au = au_m / 299792458.0 / 86400.0;
-constexpr double sun_radius_m = 695.7e6;    // IAU 2015 resolution B3, nominal
-constexpr double moon_radius_m = 1737.4e3;  // IAU 2015 working group on cartographic coordinates
+constexpr double sun_radius_m = 695.7e6;  // IAU 2015 resolution B3, nominal
 
 struct State {  // barycentric, GCRS axes, au and au per day
     Vec3 position;
@@ -154,7 +153,7 @@ MoonPosition moon_position(const Place& place, const Utc& moment, const SkyOptio
     const double distance_au = glm::length(ray);
     const Vec3 to_eye = -ray / distance_au;
     const double phase = std::atan2(glm::length(glm::cross(to_sun, to_eye)), glm::dot(to_sun, to_eye));
-    return {horizontal(ray, astrom, options), distance_au * au_m * m, angular_radius(moon_radius_m, distance_au), phase,
+    return {horizontal(ray, astrom, options), distance_au * au_m * m, angular_radius(moon_radius.value, distance_au), phase,
             0.5 * (1.0 + std::cos(phase))};
 }
 

@@ -11,6 +11,9 @@
 
 namespace airlight {
 
+inline constexpr Length astronomical_unit = 149597870700.0 * m;  // IAU 2012 resolution B2
+inline constexpr Length moon_radius = 1737.4 * km;               // IAU 2015 working group on cartographic coordinates
+
 // A point on or above the WGS 84 ellipsoid.
 struct Place {
     double latitude = 0.0;      // radians, north positive, [-pi/2, pi/2]; geodetic

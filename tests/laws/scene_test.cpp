@@ -61,6 +61,9 @@ TEST_CASE("a wrong scene is one message with file, line, key, value, the rule an
     says(error_of(std::string(camera) + "pitch = 5\n"), "a number and a unit in quotes");
     says(error_of(std::string(camera) + "[sun]\ntime = \"yesterday\"\n"), "sun.time = \"yesterday\"");
     says(error_of(std::string(camera) + "[sun]\ntime = \"2024-06-21T12:00Z\"\nzenith = \"3 deg\"\n"), "time is given as well");
+    says(error_of(std::string(camera) + "[stars]\nfaintest = 4\n"), "stars.time is missing");
+    says(error_of(std::string(camera) + "[stars]\ntime = \"2024-06-21T12:00Z\"\nfaintest = 9\n"), "a magnitude from -2 to 6");
+    says(error_of(std::string(camera) + "[moon]\nphase = \"3 deg\"\n"), "moon.phase is no key");
     says(error_of(std::string(camera) + "[ground]\nsea = \"yes\"\n"), "it must be true or false");
     says(error_of(std::string(camera) + "[ground]\nseed = 1.5\n"), "a whole number");
     says(error_of(std::string(camera) + "[air]\nmethod = \"exakt\"\n"), "air.method = \"exakt\": it must be one of: airlight hillaire2020 bruneton2008 exact");
@@ -105,4 +108,24 @@ TEST_CASE("a scene's elevation file that is missing is one message with its path
     const Result<HeightField> ground = ground_of(scene);
     REQUIRE(!ground);
     says(ground.error().message(), "folder/none.tif: there is no such file");
+}
+
+TEST_CASE("a time places moon and stars as well; without one the moon stands where the scene says, and there are no stars") {
+    const std::string time = "[sun]\ntime = \"2024-04-08T18:17:20Z\"\n", over_mexico =
+                                                                             "[camera]\nlatitude = \"25.3 deg\"\nlongitude = "
+                                                                             "\"-104.1 deg\"\naltitude = \"20 km\"\n";
+    const Scene eclipse = *parse_scene(over_mexico + time, "s.toml");
+    REQUIRE(moon_place(eclipse));
+    const Vec3 ground = eclipse.ground.radius_m * direction_of(25.3 * deg, -104.1 * deg);
+    // The greatest eclipse was there and then: the centres of both were half a minute of arc apart.
+    CHECK(glm::length(glm::normalize(*moon_place(eclipse) - ground) - towards_sun(eclipse)) < 0.02 * deg);
+    CHECK(stars_of(eclipse).size() > 5000);
+    CHECK(stars_of(*parse_scene(over_mexico + time + "[stars]\nfaintest = 1.5\n", "s.toml")).size() == 23);
+    CHECK(!moon_place(*parse_scene(over_mexico + time + "[moon]\nvisible = false\n", "s.toml")));
+    CHECK(stars_of(*parse_scene(over_mexico + time + "[stars]\nvisible = false\n", "s.toml")).empty());
+    const Scene plain = *parse_scene(over_mexico, "s.toml");
+    CHECK(!moon_place(plain));
+    CHECK(stars_of(plain).empty());
+    const Scene placed = *parse_scene(over_mexico + "[moon]\nzenith = \"0 deg\"\ndistance = \"400000 km\"\n", "s.toml");
+    CHECK(glm::length(*moon_place(placed)) == doctest::Approx(plain.ground.radius_m + 4e8));
 }

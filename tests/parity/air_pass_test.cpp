@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "atmosphere/presets.h"
+#include "celestial/eclipse.h"
 #include "gpu/vertex_array.h"
 #include "models/airlight_tables.h"
 #include "models/model.h"
@@ -71,13 +72,13 @@ void main() {
     }
 
     // For all pictures that draw() makes of this camera and sun.
-    void prepare(render::AirPass& air, const Camera& camera, Vec3 towards_sun) const {
+    void prepare(render::AirPass& air, const Camera& camera, Vec3 towards_sun, const std::optional<render::Eclipse>& eclipse = {}) const {
         gpu::PassTimers timers;
-        air.prepare(camera, towards_sun, timers);
+        air.prepare(camera, towards_sun, timers, eclipse);
     }
 
     // Red, green, blue and 1 of each pixel, the lowest row first.
-    std::vector<float> draw(const render::AirPass& air, const Camera& camera, Vec3 towards_sun, Wall wall,
+    std::vector<float> draw(render::AirPass& air, const Camera& camera, Vec3 towards_sun, Wall wall,
                             const gpu::Texture* shade = nullptr) const {
         surfaces_->begin();
         if (wall.distance_m > 0.0) {
@@ -295,4 +296,64 @@ TEST_CASE("in the shadow only light scattered twice and more is left, by the exa
             CHECK(once / all > 0.3);
             CHECK(difference / once <= 0.03);
         }
+}
+
+TEST_CASE("a moon as far as the sun takes the same part of the light from all air and every surface") {
+    const GpuCase gpu_case;
+    if (!gpu_case) return;
+    const Truth model;
+    Result<std::unique_ptr<render::AirMethod>> method = render::airlight_air(model.baked, colours);
+    if (!method) FAIL(method.error().message());
+    render::AirPass fast = model.pass(*std::move(method)), exact = model.pass(render::exact_air(model.baked, colours));
+    const Pictures pictures;
+    const Camera camera = camera_above(model, 3e3, 5.0);
+    const Vec3 sun = sun_at(model, 50.0), beside = glm::normalize(glm::cross(sun, camera.up));
+    const Sun& disk = model.atmosphere.sun;
+    const double radius = disk.angular_radius, distance_m = 1.5e11;
+    for (render::AirPass* air : {&fast, &exact})
+        for (const double apart : {0.3, 1.2, 2.5})
+            for (const Wall wall : {Wall{}, Wall{2e4, 1.0f}}) {
+                const Vec3 to_moon = sun + apart * radius * beside;
+                pictures.prepare(*air, camera, sun);
+                const std::vector<float> before = pictures.draw(*air, camera, sun, wall);
+                pictures.prepare(*air, camera, sun, render::Eclipse{to_moon * distance_m, radius * distance_m, radius, distance_m});
+                const std::vector<float> after = pictures.draw(*air, camera, sun, wall);
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const Wavelength w = wavelengths[wavelength_of_channel[c]];
+                    const double left = sunlight_left(covered_sun(std::atan(apart * radius), radius, radius / glm::length(to_moon)),
+                                                      disk.limb_darkening_1.at(w).value, disk.limb_darkening_2.at(w).value);
+                    for (std::size_t i = c; i < after.size(); i += 4 * 37)
+                        CHECK(static_cast<double>(after[i]) == doctest::Approx(left * static_cast<double>(before[i])).epsilon(2e-3));
+                }
+            }
+}
+
+// [DandekarTurtle1971]: four orders of magnitude darker at the zenith. In 2024 the moon was 1.0566 times as large as the sun.
+TEST_CASE("in totality the zenith is ten thousand times darker than by day, and the horizon glows") {
+    const GpuCase gpu_case;
+    if (!gpu_case) return;
+    const Truth model;
+    Result<std::unique_ptr<render::AirMethod>> method = render::airlight_air(model.baked, colours);
+    if (!method) FAIL(method.error().message());
+    render::AirPass fast = model.pass(*std::move(method)), exact = model.pass(render::exact_air(model.baked, colours));
+    const Pictures pictures;
+    const Vec3 sun = sun_at(model, 25.0);
+    const double radius = model.atmosphere.sun.angular_radius, distance_m = 3.6e8;
+    const render::Eclipse eclipse{sun * distance_m, 1.0566 * radius * distance_m, radius, 1.5e11};
+    const auto left = [&](render::AirPass& air, double pitch_deg) {
+        Camera camera = camera_above(model, 2.0, pitch_deg);
+        camera.vertical_field_of_view = 3.0 * deg;
+        const auto green = [&](const std::optional<render::Eclipse>& before_sun) {
+            pictures.prepare(air, camera, sun, before_sun);
+            return static_cast<double>(pictures.draw(air, camera, sun, {})[4 * (width * height / 2 + width / 2) + 1]);
+        };
+        return green(eclipse) / green({});
+    };
+    for (render::AirPass* air : {&fast, &exact}) {
+        const double zenith = left(*air, 89.0), low = left(*air, 5.0);
+        fmt::print("  of the day's light: zenith {:.1e}, at 5 deg {:.1e}\n", zenith, low);
+        CHECK(zenith > 3e-5);
+        CHECK(zenith < 3e-4);
+        CHECK(low > 3.0 * zenith);
+    }
 }

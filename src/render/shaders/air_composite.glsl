@@ -18,20 +18,10 @@ layout(binding = 0) uniform sampler2D depth_buffer;
 layout(binding = 1) uniform sampler2D colour_buffer;
 layout(binding = 2) uniform sampler2D normal_buffer;
 layout(binding = 3) uniform sampler2D material_buffer;
+layout(binding = 4) uniform sampler2D background_buffer;
 layout(binding = 7) uniform sampler2D shade_buffer;  // src/render/shafts_pass.h
 layout(location = 0) in vec2 place;
 layout(location = 0) out vec4 radiance;
-
-// The sun's disk above the air, averaged over a pixel of `width` radians.
-vec3 sun_disk(vec3 direction, float width) {
-    float angle = angle_between(direction, towards_sun.xyz), radius = towards_sun.w;
-    float covered = radius > 0.0 ? clamp((radius - angle) / width + 0.5, 0.0, 1.0) * min(1.0, pi * radius * radius / (width * width)) : 0.0;
-    if (covered <= 0.0) return vec3(0.0);
-    float s = min(angle / radius, 1.0), dark = 1.0 - sqrt(1.0 - s * s);
-    vec3 shape = 1.0 - limb_darkening[0].rgb * dark - limb_darkening[1].rgb * (dark * dark);
-    vec3 mean = 1.0 - limb_darkening[0].rgb / 3.0 - limb_darkening[1].rgb / 6.0;
-    return colour_of_sun.rgb * shape / mean * (covered / (pi * radius * radius));
-}
 
 // What is seen at a pixel: of the geometry buffer, or the ground sphere, or nothing.
 struct Surface {
@@ -68,20 +58,27 @@ Surface surface_at(ivec2 pixel, vec3 direction) {
 
 void main() {
     vec3 direction = normalize(view_ray(place));
-    float width = length(dFdx(direction));
     Surface surface = surface_at(ivec2(gl_FragCoord.xy), direction);
-    AirSeen seen = air_seen(direction, surface.there ? length(surface.position) : 1e30);
+    float distance_m = surface.there ? length(surface.position) : 1e30;
+    AirSeen seen = air_seen(direction, distance_m);
+#ifdef AIR_KNOWS_THE_MOON
+    Passing air_lit = Passing(vec4(1.0), vec4(1.0));
+#else
+    Passing air_lit = air_passing(direction, distance_m);
+#endif
     // Of light scattered once, and of the sun's on surfaces, shadows leave a share.
     vec4 shade = textureLod(shade_buffer, 0.5 * place + 0.5, 0.0);
-    vec3 sum = colour_of(seen.inscattered) - (1.0 - shade.rgb) * colour_of(seen.once);
+    vec3 sum = air_lit.sky.rgb * colour_of(seen.inscattered) + (air_lit.sun.rgb * shade.rgb - air_lit.sky.rgb) * colour_of(seen.once);
     if (surface.there) {
         SurfaceLight light =
             surface_light(surface.reflectance, surface.material, surface.normal, surface.up, -direction, towards_sun.xyz);
         float mu_s = clamp(dot(surface.up, towards_sun.xyz), -1.0, 1.0);
-        sum += shade.a * light.of_sun * colour_of(seen.transmittance * air_sunlight(surface.h, mu_s)) +
-               light.of_sky * colour_of(seen.transmittance * air_skylight(mu_s));
+        Passing lit = light_passing(surface.position, limb_darkening[0], limb_darkening[1]);
+        sum += shade.a * light.of_sun * lit.sun.rgb * colour_of(seen.transmittance * air_sunlight(surface.h, mu_s)) +
+               light.of_sky * lit.sky.rgb * colour_of(seen.transmittance * air_skylight(mu_s));
     } else {
-        sum += colour_through(sun_disk(direction, width), seen.transmittance);
+        vec3 background = air_shell.z > 0.0 ? texelFetch(background_buffer, ivec2(gl_FragCoord.xy), 0).rgb : vec3(0.0);
+        sum += colour_through(background, seen.transmittance);
     }
     radiance = vec4(sum, 1.0);
 }

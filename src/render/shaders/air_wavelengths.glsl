@@ -9,7 +9,10 @@ layout(binding = 9) uniform sampler2D transmittance;
 layout(binding = 10) uniform sampler3D source;
 layout(binding = 11) uniform sampler2D diffuse;
 layout(binding = 12) uniform sampler2D phases;  // [constituent][sample], even in the root of the scattering angle
-layout(std140, binding = 3) uniform AirColours { vec4 colour_of_wavelength[4]; };
+layout(std140, binding = 3) uniform AirColours {
+    vec4 colour_of_wavelength[4];
+    vec4 darkening_of_wavelength[2];  // of the sun's limb
+};
 
 vec3 colour_of(Spectrum light) {
     vec3 sum = vec3(0.0);

@@ -8,11 +8,12 @@ layout(binding = 0) uniform sampler2D depth_buffer;
 layout(binding = 1) uniform sampler2D colour_buffer;
 layout(binding = 2) uniform sampler2D normal_buffer;
 layout(binding = 3) uniform sampler2D material_buffer;
+layout(binding = 4) uniform sampler2D background_buffer;
 layout(binding = 7) uniform sampler2D shade_buffer;  // src/render/shafts_pass.h
 layout(std140, binding = 2) uniform Lights {
     vec4 towards_sun;  // of length one
     vec4 sun;          // irradiance on a surface that faces it
-    vec4 sky;          // irradiance from above
+    vec4 sky;          // irradiance from above; 1 if there is a background, else 0
 };
 layout(location = 0) in vec2 place;
 layout(location = 0) out vec4 radiance;
@@ -21,7 +22,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 colour = texelFetch(colour_buffer, pixel, 0);
     if (colour.a == 0.0) {
-        radiance = vec4(0.0);
+        radiance = sky.w > 0.0 ? vec4(texelFetch(background_buffer, pixel, 0).rgb, 0.0) : vec4(0.0);
         return;
     }
     vec3 n = from_octahedral(texelFetch(normal_buffer, pixel, 0).rg);

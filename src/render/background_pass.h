@@ -1,0 +1,46 @@
+// What stands above the air, where the geometry buffer has no surface: the sun's disk, the moon, the stars, as radiance above the air in
+// red, green and blue. Air bends the rays to them: near the horizon they stand higher than they are, and the sun is flattened.
+// docs/theory.md, section 7. Uses celestial, camera and gpu; knows no light that the air sends.
+//
+// Leaves out: the planets, the Milky Way, the face of the moon and what the Earth's shadow does to it; twinkling.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "atmosphere/atmosphere.h"
+#include "camera/camera.h"
+#include "celestial/stars.h"
+#include "gpu/buffer.h"
+#include "gpu/framebuffer.h"
+#include "gpu/program.h"
+#include "gpu/texture.h"
+#include "gpu/vertex_array.h"
+#include "render/heavens.h"
+
+namespace airlight::render {
+
+class BackgroundPass {
+public:
+    // For pictures of this size. `stars` never set, where the planet's axes are the Earth's.
+    static Result<BackgroundPass> create(int width, int height, std::span<const Star> stars);
+
+    // Draws into radiance(); `air` bends, if there is any. A CameraBlock of the same camera is bound.
+    void draw(const Camera& camera, const Heavens& heavens, const Atmosphere* air);
+
+    // cd m-2 of the primaries of sRGB, of each pixel.
+    const gpu::Texture& radiance() const { return radiance_; }
+
+private:
+    BackgroundPass(gpu::Program disks, gpu::Program points, gpu::Texture radiance, gpu::Framebuffer target, gpu::Buffer stars, int count);
+
+    gpu::Program disks_, points_;
+    gpu::Texture radiance_;
+    gpu::Framebuffer target_;
+    gpu::Buffer stars_;
+    int star_count_;
+    gpu::Buffer block_;
+    gpu::VertexArray nothing_;
+};
+
+}  // namespace airlight::render
