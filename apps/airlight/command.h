@@ -37,5 +37,6 @@ Command probe_command(CLI::App& airlight);
 Command render_command(CLI::App& airlight);
 Command sky_command(CLI::App& airlight);
 Command sun_command(CLI::App& airlight);
+Command view_command(CLI::App& airlight);
 
 }  // namespace airlight::cli

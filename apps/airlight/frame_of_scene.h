@@ -11,9 +11,11 @@
 
 namespace airlight::cli {
 
+using Figures = std::vector<std::tuple<std::string, std::string, std::string>>;  // quantity, value, unit
+
 struct DrawnFrame {
-    Image image;                                                             // red, green and blue of sRGB, in cd m-2
-    std::vector<std::tuple<std::string, std::string, std::string>> figures;  // quantity, value, unit
+    Image image;  // red, green and blue of sRGB, in cd m-2
+    Figures figures;
 };
 
 // How the tables of a scene's air are made and kept.

@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
         airlight::cli::atmosphere_command(app), airlight::cli::bake_command(app),   airlight::cli::compare_command(app),
         airlight::cli::fit_command(app),        airlight::cli::mie_command(app),    airlight::cli::models_command(app),
         airlight::cli::probe_command(app),      airlight::cli::render_command(app), airlight::cli::sky_command(app),
-        airlight::cli::sun_command(app),
+        airlight::cli::sun_command(app),        airlight::cli::view_command(app),
     };
     try {
         app.parse(argc, argv);

@@ -15,6 +15,7 @@
 #include "image/tone.h"
 #include "interrupt.h"
 #include "spectrum/colour.h"
+#include "table_wishes.h"
 #include "units/text.h"
 
 namespace airlight::cli {
@@ -30,9 +31,7 @@ struct RenderOptions {
     std::string shafts;
     std::string exposure = "auto";
     std::string tone = "filmic";
-    std::string sizes = table_sizes_text({});
-    int orders = BakeSettings{}.orders;
-    std::string cache;
+    TableOptions tables;
     bool quiet = false;
 };
 
@@ -43,17 +42,6 @@ struct Wishes {
     std::optional<double> exposure;  // none: metered
     TableWishes tables;
 };
-
-Result<TableWishes> table_wishes_of(const RenderOptions& given) {
-    const Result<TableSizes> sizes = parse_table_sizes(given.sizes);
-    if (!sizes) return at("--sizes", sizes.error());
-    const Result<BakeSettings> bake = validated(BakeSettings{.sizes = *sizes, .orders = given.orders});
-    if (!bake) return at("--orders", bake.error());
-    TableWishes wishes{*bake, {}, {}};
-    if (!given.cache.empty()) wishes.cache.folder = given.cache;
-    wishes.cache.warn = [](const Error& warning) { fmt::print(stderr, "warning: {}\n", warning.message()); };
-    return wishes;
-}
 
 Result<Done> check_output(const std::string& path) {
     const std::string extension = std::filesystem::path(path).extension().string();
@@ -82,7 +70,7 @@ Result<Wishes> wishes_of(const RenderOptions& given) {
     if (!tone) return Error{"--tone", fmt::format("\"{}\" is none of: {}", given.tone, tone_curve_names), ""};
     for (const std::string& path : given.outputs)
         if (const Result<Done> possible = check_output(path); !possible) return possible.error();
-    const Result<TableWishes> tables = table_wishes_of(given);
+    const Result<TableWishes> tables = table_wishes_of(given.tables);
     if (!tables) return tables.error();
     Wishes wishes{*scene, *tone, std::nullopt, *tables};
     if (given.exposure == "auto") return wishes;
@@ -157,14 +145,7 @@ Command render_command(CLI::App& airlight) {
     render->add_option("--tone", given->tone, "of PNG files: linear, exponential, reinhard or filmic")
         ->option_text("<curve>")
         ->capture_default_str();
-    render->add_option("--orders", given->orders, "of the air's tables: orders of scattering computed, the rest extrapolated")
-        ->option_text("<n>")
-        ->capture_default_str();
-    render->add_option("--sizes", given->sizes, "of the air's tables: texels of sun x azimuth x view x altitude, transmittance")
-        ->option_text("<sizes>")
-        ->capture_default_str();
-    render->add_option("--cache", given->cache, "where tables are kept (default: $XDG_CACHE_HOME/airlight or ~/.cache/airlight)")
-        ->option_text("<folder>");
+    add_table_options(*render, given->tables);
     render->add_flag("--quiet", given->quiet, "no progress on standard error");
     render->footer(help_footer(
         "CSV: quantity, value, unit: who draws, how long each pass takes, how many patches the ground has; last, the files.",

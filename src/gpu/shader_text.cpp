@@ -68,7 +68,8 @@ std::string located(std::string_view message, const ShaderText& shader, std::str
         std::smatch found;
         if (std::regex_search(line, found, place_of)) {
             const std::size_t file = std::stoul(found[1]);
-            const std::string where = file > 0 && file < shader.files.size() ? shader.files[file] : std::string(name);
+            const bool named = file < shader.files.size() && !shader.files[file].empty();
+            const std::string where = named ? shader.files[file] : std::string(name);
             line = where + ':' + (found[2].matched ? found[2] : found[3]).str() + found.suffix().str();
         }
         out.append(line).append("\n");

@@ -16,7 +16,7 @@ struct ShaderText {
     ShaderText(const char* plain) : text(plain) {}
     ShaderText(std::string plain) : text(std::move(plain)) {}
 
-    // What the compiler reads. Lines "#line 12 3" say that line 12 of files[3] follows; 0 is the shader's own text.
+    // What the compiler reads. Lines "#line 12 3" say that line 12 of files[3] follows; 0 is the shader's own text, which may have no name.
     std::string text;
     std::vector<std::string> files = {""};
 };
@@ -31,7 +31,7 @@ using ReadText = std::function<Result<std::string>(const std::string& path)>;
 Result<ShaderText> resolve_includes(std::string_view text, const ReadText& read);
 
 // A driver's message with the numbers of files, "3:12(8)" (Mesa) or "3(12)" (NVIDIA), replaced by names: "physics/shell.glsl:12".
-// The shader's own text is called `name`.
+// The shader's own text is called `name` if files[0] is empty.
 std::string located(std::string_view message, const ShaderText& shader, std::string_view name);
 
 }  // namespace airlight::gpu

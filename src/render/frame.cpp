@@ -64,8 +64,10 @@ Frame::Frame(const gpu::Context& context, TerrainPass terrain, LightPass light, 
 
 Result<Image> Frame::draw(const Camera& camera, const Lights& lights) {
     if (const Result<Done> drawn = render(camera, lights); !drawn) return drawn.error();
-    return image_of(radiance_);
+    return image();
 }
+
+Image Frame::image() const { return image_of(radiance_); }
 
 Result<Done> Frame::render(const Camera& camera, const Lights& lights) {
     assert(camera.width == radiance_.size().width && camera.height == radiance_.size().height);

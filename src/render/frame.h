@@ -29,9 +29,11 @@ public:
     // reset.
     Result<Image> draw(const Camera& camera, const Lights& lights);
 
-    // The same, left on the GPU: radiance() has it, its lowest row first. Waits for the GPU.
+    // The same, left on the GPU: radiance() has it, its lowest row first, and image() reads it back. Waits
+    // for the GPU.
     Result<Done> render(const Camera& camera, const Lights& lights);
     const gpu::Texture& radiance() const { return radiance_; }
+    Image image() const;
 
     // The next pictures have this air; the one of before comes back.
     std::optional<AirPass> exchange_air(std::optional<AirPass> air) { return std::exchange(air_, std::move(air)); }

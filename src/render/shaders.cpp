@@ -3,7 +3,10 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <iterator>
+
+#include "core/files.h"
 
 namespace airlight::render {
 
@@ -17,7 +20,11 @@ constexpr ShaderFile shader_files[] = {
 #include "shader_files.inc"
 };
 
+constexpr std::string_view shared_text = "physics/", folder_of_shaders = "src/render/shaders";
+
 Result<std::string> read(const std::string& path) {
+    if (const char* tree = std::getenv("AIRLIGHT_SHADERS"))
+        return read_file(std::filesystem::path(tree) / (path.starts_with(shared_text) ? "" : folder_of_shaders) / path);
     const auto found = std::find_if(std::begin(shader_files), std::end(shader_files), [&](const ShaderFile& f) { return f.path == path; });
     if (found != std::end(shader_files)) return std::string(found->text);
     return Error{path, "no shader of this name is compiled in.", ""};
@@ -28,7 +35,16 @@ Result<std::string> read(const std::string& path) {
 Result<gpu::ShaderText> shader_text(std::string_view name) {
     const Result<std::string> text = read(std::string(name));
     if (!text) return text.error();
-    return gpu::resolve_includes(*text, gpu::ReadText(read));
+    Result<gpu::ShaderText> resolved = gpu::resolve_includes(*text, gpu::ReadText(read));
+    if (!resolved) return at(name, resolved.error());
+    resolved->files[0] = name;
+    return resolved;
+}
+
+std::vector<std::filesystem::path> shader_folders() {
+    const char* tree = std::getenv("AIRLIGHT_SHADERS");
+    if (!tree) return {};
+    return {std::filesystem::path(tree) / shared_text, std::filesystem::path(tree) / folder_of_shaders};
 }
 
 Result<gpu::Program> program(std::string_view vertex, std::string_view fragment) {

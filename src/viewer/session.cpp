@@ -81,6 +81,15 @@ Camera camera_of(const Session& session, int width, int height) {
     return camera;
 }
 
+Scene scene_of(const Session& session) {
+    Scene scene = session.file;
+    const SunAngles sun = sun_angles(session);
+    scene.atmosphere = session.atmosphere;
+    scene.camera = {.viewpoint = session.eye, .above_ground = false, .vertical_field_of_view = session.field_of_view};
+    scene.sun = {.zenith = sun.zenith, .azimuth = sun.azimuth, .distance_au = session.sun_distance_au};
+    return scene;
+}
+
 SunAngles sun_angles(const Session& session) {
     const Viewpoint& eye = session.eye;
     const Camera level = look(Viewpoint{.latitude = eye.latitude, .longitude = eye.longitude}, 1.0);

@@ -46,6 +46,9 @@ Result<Session> reloaded(const Session& session, const Scene& scene, const Heigh
 // The camera of the session's eye, for pictures of this size.
 Camera camera_of(const Session& session, int width, int height);
 
+// The scene that the session has become: the file's ground under its eye, its sun and its air.
+Scene scene_of(const Session& session);
+
 // Where the sun stands at the eye's place: radians, zenith from straight up, azimuth from north, clockwise.
 struct SunAngles {
     double zenith, azimuth;

@@ -12,7 +12,10 @@
 #include "terrain/procedural_relief.h"
 #include "tools/temporary_folder.h"
 #include "viewer/file_watch.h"
+#include "viewer/files.h"
 #include "viewer/flight.h"
+#include "viewer/path_edit.h"
+#include "viewer/probe.h"
 #include "viewer/session.h"
 
 using namespace airlight;
@@ -229,4 +232,100 @@ TEST_CASE("a watch tells once of each file that was written, came or went, also 
     std::filesystem::remove(folder.path / "scene.toml");
     CHECK(watch.changed());
     CHECK(!watch.changed());
+}
+
+TEST_CASE("a new picture's name is none that is there") {
+    const TemporaryFolder folder;
+    CHECK(free_name(folder.path, "airlight", ".png") == folder.path / "airlight-0001.png");
+    REQUIRE(write_file(folder.path / "airlight-0001.png", std::string_view("a")));
+    REQUIRE(write_file(folder.path / "airlight-0002.png", std::string_view("a")));
+    CHECK(free_name(folder.path, "airlight", ".png") == folder.path / "airlight-0003.png");
+    CHECK(free_name(folder.path, "airlight", ".exr") == folder.path / "airlight-0001.exr");
+}
+
+TEST_CASE("the scene that a session has become begins a session that shows the same") {
+    const HeightField ground = smooth();
+    Session session = *session_of(scene_of(toml), ground);
+    session.eye = {.latitude = -0.3, .longitude = 2.0, .altitude_m = 77.0, .heading = 1.0, .pitch = 0.2};
+    session.atmosphere = "mars";
+    place_sun(session, {1.2, 2.5});
+    const Session again = *session_of(viewer::scene_of(session), ground);
+    CHECK(again.eye == session.eye);
+    CHECK(again.atmosphere == session.atmosphere);
+    CHECK(again.field_of_view == session.field_of_view);
+    CHECK(glm::length(again.towards_sun - session.towards_sun) < 1e-12);
+}
+
+TEST_CASE("a probe asks the sky for the direction of a click: straight up, along the horizon, towards the sun") {
+    const double bottom_m = 6e6;
+    const Viewpoint eye{.latitude = 0.5, .longitude = 0.3, .altitude_m = 1e4, .heading = 2.0};
+    const Vec3 from = look(eye, bottom_m).eye, up = direction_of(0.5, 0.3);
+    const Vec3 sun = look({.latitude = 0.5, .longitude = 0.3, .heading = 2.7, .pitch = 0.5 * pi - 1.1}, bottom_m).forward;
+    const View zenith = view_of({from, up, sun, bottom_m}), ahead = view_of({from, look(eye, bottom_m).forward, sun, bottom_m}),
+               sunward = view_of({from, sun, sun, bottom_m});
+    CHECK(zenith.altitude.in(m) == doctest::Approx(1e4));
+    CHECK(zenith.view_zenith == doctest::Approx(0.0));
+    CHECK(zenith.sun_zenith == doctest::Approx(1.1));
+    CHECK(ahead.view_zenith == doctest::Approx(0.5 * pi));
+    CHECK(ahead.relative_azimuth == doctest::Approx(0.7));
+    CHECK(sunward.view_zenith == doctest::Approx(1.1));
+    CHECK(sunward.relative_azimuth == doctest::Approx(0.0));
+}
+
+TEST_CASE("each edit of a path is in its file at once, is taken back and put back, and goes on when the viewer starts again") {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path / "path.toml";
+    Viewpoint eye{.latitude = 0.1, .altitude_m = 100.0};
+    {
+        PathEdit edit = *PathEdit::open(file);
+        CHECK(edit.keys().empty());
+        REQUIRE(edit.add({7.0, eye}, 5.0));
+        CHECK(read_camera_path(file)->keys == edit.keys());
+        eye.altitude_m = 200.0;
+        REQUIRE(edit.add({0.0, eye}, 2.0));
+        CHECK(edit.keys()[0].time_s == 0.0);
+        CHECK(edit.keys()[1].time_s == 2.0);
+        REQUIRE(edit.undo());
+        CHECK(read_camera_path(file)->keys.size() == 1);
+        REQUIRE(edit.redo());
+        CHECK(read_camera_path(file)->keys.size() == 2);
+        REQUIRE(edit.undo());
+        REQUIRE(edit.add({0.0, eye}, 3.0));  // what was taken back is forgotten
+        CHECK(!edit.can_redo());
+        CHECK(read_camera_path(file)->keys[1].time_s == 3.0);
+    }
+    PathEdit again = *PathEdit::open(file);
+    CHECK(again.keys().size() == 2);
+    CHECK(!again.can_undo());
+    REQUIRE(again.add({0.0, eye}, 1.0));
+    CHECK(read_camera_path(file)->keys.size() == 3);
+}
+
+TEST_CASE("a path that cannot be written is told, kept and written when it can be; a file that is no path is left alone") {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path / "later/path.toml";
+    PathEdit edit = *PathEdit::open(file);
+    const Result<Done> failed = edit.add({}, 1.0);
+    REQUIRE(!failed);
+    CHECK(failed.error().message().starts_with(file.string()));
+    CHECK(edit.unsaved());
+    CHECK(edit.keys().size() == 1);
+    std::filesystem::create_directories(file.parent_path());
+    REQUIRE(edit.save());
+    CHECK(!edit.unsaved());
+    CHECK(read_camera_path(file)->keys.size() == 1);
+    REQUIRE(edit.undo());
+    CHECK(!std::filesystem::exists(file));
+    REQUIRE(write_file(file, std::string_view("precious = 1\n")));
+    CHECK(!PathEdit::open(file));
+    CHECK(*read_file(file) == "precious = 1\n");
+}
+
+TEST_CASE("a key on the other side of the planet from the last is refused, and the path stays") {
+    const TemporaryFolder folder;
+    PathEdit edit = *PathEdit::open(folder.path / "path.toml");
+    REQUIRE(edit.add({0.0, {.latitude = 0.2}}, 1.0));
+    CHECK(!edit.add({0.0, {.latitude = -0.2, .longitude = pi}}, 1.0));
+    CHECK(edit.keys().size() == 1);
+    CHECK(!edit.unsaved());
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -14,6 +15,7 @@
 #include "image/png.h"
 #include "image/tone.h"
 #include "render/bloom_pass.h"
+#include "render/compare_pass.h"
 #include "render/exposure_pass.h"
 #include "render/tone_pass.h"
 #include "spectrum/colour.h"
@@ -272,4 +274,37 @@ TEST_CASE("a picture shown with bloom is a blend of itself and its spread light"
     CHECK(linear(32) < 0.93);
     CHECK(linear(0) < linear(31));
     CHECK(linear(63) > linear(32));
+}
+
+TEST_CASE("two pictures stand side by side at their edge; their difference is white where there is none, red and blue at its span") {
+    const GpuCase gpu_case;
+    if (!gpu_case) return;
+    Image first(8, 2, 3), second(8, 2, 3);
+    const std::array<float, 8> factor = {1.0f, 1.05f, 1.1f, 7.0f, 0.9f, 0.5f, 1.0f, 1.0f};
+    for (int row = 0; row < 2; ++row)
+        for (int column = 0; column < 8; ++column) {
+            std::fill_n(first.pixel(column, row).begin(), 3, column == 7 ? 0.0f : 1000.0f);
+            std::fill_n(second.pixel(column, row).begin(), 3, factor[static_cast<std::size_t>(column)] * first.pixel(column, row)[0]);
+        }
+    const gpu::Texture a = texture_of(first), b = texture_of(second), compared({8, 2});
+    const Result<gpu::Framebuffer> target = gpu::Framebuffer::create({&compared});
+    REQUIRE(target);
+    target->bind();
+    const Result<render::ComparePass> pass = render::ComparePass::create();
+    if (!pass) FAIL(pass.error().message());
+    std::vector<float> read(4 * 8 * 2);
+    pass->side_by_side(a, b, 0.5);
+    compared.read(read);
+    for (std::size_t column = 0; column < 8; ++column)
+        CHECK(read[4 * column] == (column < 4 ? first : second).pixel(static_cast<int>(column), 1)[0]);
+    pass->difference(a, b, 0.1);
+    compared.read(read);
+    const auto red = [&](std::size_t column) { return read[4 * column]; };
+    const auto blue = [&](std::size_t column) { return read[4 * column + 2]; };
+    for (const std::size_t same : {0, 6, 7}) CHECK(((red(same) == 1.0f) && blue(same) == 1.0f));
+    CHECK(blue(1) == doctest::Approx(0.5 * (1.0 + blue(2))).epsilon(1e-4));
+    CHECK(blue(2) == doctest::Approx(0.05).epsilon(1e-4));
+    CHECK(blue(3) == blue(2));
+    CHECK(red(4) == doctest::Approx(0.05).epsilon(1e-4));
+    CHECK(red(5) == doctest::Approx(0.05).epsilon(1e-4));
 }

@@ -1,0 +1,102 @@
+// What a session looks like: its ground, its air and the passes that draw them, made anew where the session asks for others.
+// What fails leaves all as it was.
+#pragma once
+
+#include <future>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "../scene_air.h"
+#include "image/png.h"
+#include "render/bloom_pass.h"
+#include "render/exposure_pass.h"
+#include "render/frame.h"
+#include "render/tone_pass.h"
+#include "viewer/session.h"
+
+namespace airlight::cli {
+
+// The air's tables on their way: baked, or loaded, on other threads.
+class AirJob {
+public:
+    AirJob(const Scene& scene, const TableWishes& wishes);
+    ~AirJob();  // asks it to stop, and waits
+    AirJob(const AirJob&) = delete;
+    AirJob& operator=(const AirJob&) = delete;
+
+    const std::string& atmosphere() const { return atmosphere_; }
+    bool ready() const;
+    Result<std::optional<Tables>> take() { return tables_.get(); }
+    // "second order, 40 %"
+    std::string how_far() const;
+
+private:
+    std::string atmosphere_;
+    std::stop_source stop_;
+    mutable std::mutex mutex_;
+    std::string how_far_;
+    std::future<Result<std::optional<Tables>>> tables_;
+};
+
+class Stage {
+public:
+    // Waits for the air's tables. `context` outlives it.
+    static Result<Stage> create(const gpu::Context& context, const Scene& scene, int width, int height, const TableWishes& wishes);
+
+    const HeightField& ground() const { return ground_; }
+
+    // Draws the session as it is `seconds` after the last time. Fails if the GPU was reset, or if the session's air cannot be made:
+    // the last air stays then, and the failure is told once.
+    Result<Done> draw(const viewer::Session& session, double seconds);
+
+    // The passes anew, from shaders as they are now; the ground of a scene, if it is another.
+    Result<Done> remake(const Scene& scene);
+
+    // As a display of 8 bits shows it, its lowest row first; and its light, in cd m-2 of sRGB's primaries, the highest row first.
+    const gpu::Framebuffer& shown() const { return passes_.target; }
+    PngLevels levels() const;
+    Image light() const;
+    // In cd m-2, at a place of the picture: x to the right and y up, from -1 to 1.
+    double luminance_at(double x, double y) const;
+
+    int width() const { return passes_.levels.size().width; }
+    int height() const { return passes_.levels.size().height; }
+    // Of the last picture.
+    const std::vector<gpu::PassTime>& times() const { return times_; }
+    double exposure() const { return passes_.exposure.read(); }
+    const render::TerrainCount& terrain() const { return passes_.frame.terrain(); }
+    // What is being made, and how far it is; none if nothing is.
+    std::optional<std::string> at_work() const;
+
+private:
+    struct Passes {
+        render::Frame frame;
+        render::ExposurePass exposure;
+        render::BloomPass bloom;
+        render::TonePass tone;
+        gpu::Texture levels;
+        gpu::Framebuffer target;
+    };
+    static Result<Passes> make_passes(const gpu::Context& context, const HeightField& ground, const GroundColour& colour,
+                                      const std::optional<Tables>& tables, const Scene& scene, int width, int height);
+    Stage(const gpu::Context& context, const Scene& scene, TableWishes wishes, HeightField ground, GroundColour colour,
+          std::optional<Tables> tables, Passes passes);
+    Result<Done> follow_air(const viewer::Session& session);
+
+    const gpu::Context* context_;
+    Scene scene_;  // that the passes were made for
+    TableWishes wishes_;
+    HeightField ground_;
+    GroundColour colour_;
+    std::optional<Tables> tables_;
+    std::string wished_air_;
+    std::unique_ptr<AirJob> job_;
+    Passes passes_;
+    gpu::PassTimers timers_;
+    std::vector<gpu::PassTime> times_;
+};
+
+}  // namespace airlight::cli
