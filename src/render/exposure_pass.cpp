@@ -11,7 +11,7 @@ namespace airlight::render {
 namespace {
 
 constexpr unsigned histogram_binding = 0, exposure_binding = 1, settings_binding = 1;
-constexpr unsigned group_side = 16;
+constexpr unsigned group_side = 64;  // of the pixels that a group counts
 constexpr std::size_t bins = 512;
 
 // std140: `uniform Metering` of histogram.glsl.

@@ -35,9 +35,8 @@ public:
     const gpu::Texture& radiance() const { return radiance_; }
     Image image() const;
 
-    // The next pictures have this air; the one of before comes back.
+    // The next pictures have this air, and these shadows; those of before come back.
     std::optional<AirPass> exchange_air(std::optional<AirPass> air) { return std::exchange(air_, std::move(air)); }
-    // Their shadows too.
     std::optional<ShaftsPass> exchange_shafts(std::optional<ShaftsPass> shafts) { return std::exchange(shafts_, std::move(shafts)); }
 
     // Of the last picture.

@@ -58,6 +58,7 @@ Result<Session> session_of(const Scene& scene, const HeightField& ground) {
     Session session;
     session.file = scene;
     session.atmosphere = scene.atmosphere;
+    session.air = scene.air;
     if (const Result<Done> taken = take_camera(session, ground); !taken) return taken.error();
     take_sun(session);
     return session;
@@ -70,6 +71,7 @@ Result<Session> reloaded(const Session& session, const Scene& scene, const Heigh
         if (const Result<Done> taken = take_camera(next, ground); !taken) return taken.error();
     if (!(scene.sun == session.file.sun)) take_sun(next);
     if (scene.atmosphere != session.file.atmosphere) next.atmosphere = scene.atmosphere;
+    if (scene.air.method != session.file.air.method) next.air = scene.air;
     next.eye = above_ground(next.eye, ground);
     return next;
 }
@@ -85,6 +87,7 @@ Scene scene_of(const Session& session) {
     Scene scene = session.file;
     const SunAngles sun = sun_angles(session);
     scene.atmosphere = session.atmosphere;
+    scene.air = session.air;
     scene.camera = {.viewpoint = session.eye, .above_ground = false, .vertical_field_of_view = session.field_of_view};
     scene.sun = {.zenith = sun.zenith, .azimuth = sun.azimuth, .distance_au = session.sun_distance_au};
     return scene;

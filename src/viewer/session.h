@@ -24,10 +24,21 @@ struct Look {
     friend bool operator==(const Look&, const Look&) = default;
 };
 
+// Two methods of the air, for the same view.
+struct Comparison {
+    enum class Shown { one, side_by_side, difference };
+    Shown shown = Shown::one;
+    AirMethodName with = AirMethodName::exact;
+    double edge = 0.5;  // side by side: the share of the picture's width that is the session's own method
+    double span = 0.1;  // difference: the share of luminance whose colour is full
+};
+
 struct Session {
     Scene file;              // what the file says; what follows goes on from there
     std::string atmosphere;  // a preset or a file, as in a scene; "none" is no air
-    Viewpoint eye;           // its altitude is above 0 m
+    AirScene air;            // its method
+    Comparison comparison;
+    Viewpoint eye;  // its altitude is above 0 m
     double field_of_view = 60.0 * deg;
     Vec3 towards_sun{};  // of length one, along the axes of the world
     double sun_distance_au = 1.0;

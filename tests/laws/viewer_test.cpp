@@ -175,6 +175,8 @@ TEST_CASE("a file that is written anew changes what it says otherwise, and leave
     const Session air = *reloaded(session, scene_of(other_air), ground);
     CHECK(air.atmosphere == "mars");
     CHECK(air.eye == session.eye);
+    session.air.method = AirMethodName::exact;
+    CHECK(reloaded(session, scene_of(other_air), ground)->air.method == AirMethodName::exact);
     CHECK(air.towards_sun == session.towards_sun);
     const Session sun = *reloaded(session, scene_of(std::string(toml) + "[sun]\nzenith = \"80 deg\"\n"), ground);
     CHECK(sun_angles(sun).zenith == doctest::Approx(80.0 * deg));
@@ -248,10 +250,12 @@ TEST_CASE("the scene that a session has become begins a session that shows the s
     Session session = *session_of(scene_of(toml), ground);
     session.eye = {.latitude = -0.3, .longitude = 2.0, .altitude_m = 77.0, .heading = 1.0, .pitch = 0.2};
     session.atmosphere = "mars";
+    session.air.method = AirMethodName::exact;
     place_sun(session, {1.2, 2.5});
     const Session again = *session_of(viewer::scene_of(session), ground);
     CHECK(again.eye == session.eye);
     CHECK(again.atmosphere == session.atmosphere);
+    CHECK(again.air.method == session.air.method);
     CHECK(again.field_of_view == session.field_of_view);
     CHECK(glm::length(again.towards_sun - session.towards_sun) < 1e-12);
 }

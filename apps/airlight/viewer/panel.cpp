@@ -7,6 +7,7 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
+#include <sstream>
 
 #include "atmosphere/presets.h"
 #include "viewer/flight.h"
@@ -112,6 +113,32 @@ void draw_sun(Session& session) {
     if (wished) viewer::set_time(session, *wished);  // else a day that is not, while it is typed
 }
 
+void choose_method(const char* label, AirMethodName& method) {
+    std::istringstream words{std::string(air_method_names)};
+    std::vector<std::string> names;
+    std::string own;
+    for (std::string word; words >> word; names.push_back(word))
+        if (air_method_named(word) == method) own = word;
+    if (!ImGui::BeginCombo(label, own.c_str())) return;
+    for (const std::string& name : names)
+        if (ImGui::Selectable(name.c_str(), name == own)) method = *air_method_named(name);
+    ImGui::EndCombo();
+}
+
+void draw_methods(Session& session) {
+    using Shown = viewer::Comparison::Shown;
+    viewer::Comparison& comparison = session.comparison;
+    choose_method("method", session.air.method);
+    int shown = static_cast<int>(comparison.shown);
+    if (ImGui::Combo("compare", &shown, "no\0side by side\0difference\0")) comparison.shown = static_cast<Shown>(shown);
+    if (comparison.shown == Shown::one) return;
+    choose_method("with", comparison.with);
+    if (comparison.shown == Shown::side_by_side) return void(slide("edge", comparison.edge, 0.0, 1.0, "%.2f"));
+    double percent = 100.0 * comparison.span;
+    if (slide("full colour", percent, 0.1, 100.0, "%.1f %%", ImGuiSliderFlags_Logarithmic)) comparison.span = 0.01 * percent;
+    text(faint, "red where the second is brighter, blue where it is darker");
+}
+
 void draw_air(PanelState& state, Session& session) {
     if (ImGui::BeginCombo("air", session.atmosphere.c_str())) {
         if (ImGui::Selectable("none", session.atmosphere == "none")) session.atmosphere = "none";
@@ -119,6 +146,7 @@ void draw_air(PanelState& state, Session& session) {
             if (ImGui::Selectable(std::string(name).c_str(), session.atmosphere == name)) session.atmosphere = name;
         ImGui::EndCombo();
     }
+    draw_methods(session);
     if (ImGui::InputText("air's file", state.air_file.data(), state.air_file.size(), ImGuiInputTextFlags_EnterReturnsTrue))
         session.atmosphere = state.air_file.data();
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -17,10 +18,17 @@ namespace {
 // Of `airlight render` as well: what the mean of a picture becomes.
 constexpr double grey = 0.25;
 
+// An exposure that leaves light as it is, in the form of ExposurePass.
+constexpr std::array<float, 2> ones = {1.0f, 1.0f};
+
 Result<std::optional<Tables>> tables_of_scene(const Scene& scene, const TableWishes& wishes) {
     const Result<std::optional<Atmosphere>> air = air_of(scene);
     if (!air) return air.error();
     return tables_of(*air, wishes);
+}
+
+std::optional<Atmosphere> atmosphere_of(const std::optional<Tables>& tables) {
+    return tables ? std::optional(tables->atmosphere()) : std::nullopt;
 }
 
 }  // namespace
@@ -55,7 +63,9 @@ Result<Stage::Passes> Stage::make_passes(const gpu::Context& context, const Heig
     like.vertical_field_of_view = scene.camera.vertical_field_of_view;
     Result<std::optional<render::AirPass>> air = air_pass_of(tables, scene);
     if (!air) return air.error();
-    Result<render::Frame> frame = render::Frame::create(context, ground, colour, like, *std::move(air));
+    Result<render::ShaftsPass> shafts = shafts_pass_of(atmosphere_of(tables), scene, width, height);
+    if (!shafts) return shafts.error();
+    Result<render::Frame> frame = render::Frame::create(context, ground, colour, like, *std::move(air), *std::move(shafts));
     if (!frame) return frame.error();
     Result<render::ExposurePass> exposure = render::ExposurePass::create();
     if (!exposure) return exposure.error();
@@ -63,10 +73,16 @@ Result<Stage::Passes> Stage::make_passes(const gpu::Context& context, const Heig
     if (!bloom) return bloom.error();
     Result<render::TonePass> tone = render::TonePass::create();
     if (!tone) return tone.error();
+    Result<render::ComparePass> compare = render::ComparePass::create();
+    if (!compare) return compare.error();
+    gpu::Texture second({width, height}), compared({width, height});
+    Result<gpu::Framebuffer> compared_target = gpu::Framebuffer::create({&compared});
+    if (!compared_target) return compared_target.error();
     gpu::Texture levels({width, height}, {}, gpu::TextureFormat::rgba8);
     Result<gpu::Framebuffer> target = gpu::Framebuffer::create({&levels});
     if (!target) return target.error();
-    return Passes{std::move(*frame), std::move(*exposure), std::move(*bloom), std::move(*tone), std::move(levels), std::move(*target)};
+    return Passes{std::move(*frame), std::move(*exposure), std::move(*bloom),           std::move(*tone),  std::move(*compare),
+                  std::move(second), std::move(compared),  std::move(*compared_target), std::move(levels), std::move(*target)};
 }
 
 Result<Stage> Stage::create(const gpu::Context& context, const Scene& scene, int width, int height, const TableWishes& wishes) {
@@ -90,73 +106,132 @@ Stage::Stage(const gpu::Context& context, const Scene& scene, TableWishes wishes
       colour_(std::move(colour)),
       tables_(std::move(tables)),
       wished_air_(scene.atmosphere),
-      passes_(std::move(passes)) {}
+      passes_(std::move(passes)),
+      exposure_of_one_(std::as_bytes(std::span(ones))) {}
 
 Result<Done> Stage::remake(const Scene& scene) {
     HeightField ground = ground_;
     GroundColour colour = colour_;
     Scene next = scene;
-    next.atmosphere = scene_.atmosphere;  // follow_air() sees to the air
+    next.atmosphere = scene_.atmosphere, next.air = scene_.air;  // follow_air() sees to the air
     if (!(scene.ground == scene_.ground)) {
         Result<HeightField> other = ground_of(scene);
         if (!other) return other.error();
         Result<GroundColour> other_colour = colour_of(scene);
         if (!other_colour) return other_colour.error();
         ground = *std::move(other), colour = *std::move(other_colour);
-        if (tables_ && scene.ground.radius_m != scene_.ground.radius_m) wished_air_.clear();
+        if (tables_ && scene.ground.radius_m != scene_.ground.radius_m) wished_air_.clear(), next.atmosphere.clear();
     }
     Result<Passes> passes = make_passes(*context_, ground, colour, tables_, next, width(), height());
     if (!passes) return passes.error();
     passes_ = std::move(*passes);
+    other_air_.reset();
     ground_ = std::move(ground), colour_ = std::move(colour), scene_ = std::move(next);
     return Done{};
 }
 
-// Begins to make the air that the session asks for, and takes it when it is there.
-Result<Done> Stage::follow_air(const viewer::Session& session) {
-    if (session.atmosphere != wished_air_) {
-        wished_air_ = session.atmosphere;
-        job_.reset();
-        job_ = std::make_unique<AirJob>(viewer::scene_of(session), wishes_);
-    }
-    if (!job_ || !job_->ready()) return Done{};
-    const std::unique_ptr<AirJob> done = std::move(job_);
-    Result<std::optional<Tables>> tables = done->take();
-    if (!tables) return tables.error();
-    Scene scene = viewer::scene_of(session);
-    Result<std::optional<render::AirPass>> air = air_pass_of(*tables, scene);
-    if (!air) return air.error();
-    passes_.frame.exchange_air(*std::move(air));
-    tables_ = *std::move(tables);
-    scene_.atmosphere = done->atmosphere();
+Result<Done> Stage::resize(int width, int height) {
+    Result<Passes> passes = make_passes(*context_, ground_, colour_, tables_, scene_, width, height);
+    if (!passes) return passes.error();
+    passes_ = std::move(*passes);
+    other_air_.reset();
     return Done{};
 }
 
-Result<Done> Stage::draw(const viewer::Session& session, double seconds) {
-    const Result<Done> air = follow_air(session);
-    const Camera camera = viewer::camera_of(session, width(), height());
-    if (const Result<Done> drawn = passes_.frame.render(camera, lights_of(viewer::scene_of(session))); !drawn) return drawn.error();
-    const gpu::Texture& light = passes_.frame.radiance();
-    {
-        const auto pass = timers_.time("exposure");
-        const double factor = std::exp2(session.look.stops);
-        if (session.look.metered) passes_.exposure.meter(light, {.grey = grey * factor}, {}, seconds);
-        else passes_.exposure.set(exposure_of_ev100(session.look.ev100) * factor);
+// Begins to make the air that the session asks for, and takes it when it is there.
+void Stage::follow_air(const viewer::Session& session) {
+    if (session.atmosphere != wished_air_) {
+        wished_air_ = session.atmosphere;
+        air_failure_.clear();
+        job_.reset();
+        if (wished_air_ != scene_.atmosphere) job_ = std::make_unique<AirJob>(viewer::scene_of(session), wishes_);
     }
-    const bool blooms = session.look.bloom > 0.0;
+    Result<Done> taken = Done{};
+    if (job_ && job_->ready()) taken = take_air(session, job_->take());
+    else if (session.air.method != scene_.air.method) taken = take_air(session, tables_);
+    if (!taken) air_failure_ = taken.error().message();
+}
+
+Result<Done> Stage::take_air(const viewer::Session& session, Result<std::optional<Tables>> tables) {
+    job_.reset();
+    scene_.air = session.air;  // what fails is told once
+    if (!tables) return tables.error();
+    Result<std::optional<render::AirPass>> air = air_pass_of(*tables, viewer::scene_of(session));
+    if (!air) return air.error();
+    Result<render::ShaftsPass> shafts = shafts_pass_of(atmosphere_of(*tables), viewer::scene_of(session), width(), height());
+    if (!shafts) return shafts.error();
+    passes_.frame.exchange_air(*std::move(air));
+    passes_.frame.exchange_shafts(*std::move(shafts));
+    other_air_.reset();
+    tables_ = *std::move(tables);
+    scene_.atmosphere = session.atmosphere;
+    return Done{};
+}
+
+// The picture of the other method of a comparison, copied before the session's own is drawn.
+Result<Done> Stage::draw_second(const viewer::Session& session, const Camera& camera, const render::Lights& lights) {
+    if (!other_air_ || other_method_ != session.comparison.with) {
+        Scene scene = viewer::scene_of(session);
+        scene.air.method = other_method_ = session.comparison.with;
+        Result<std::optional<render::AirPass>> air = air_pass_of(tables_, scene);
+        if (!air) return air.error();
+        other_air_ = *std::move(air);
+    }
+    std::optional<render::AirPass> own = passes_.frame.exchange_air(std::move(other_air_));
+    const Result<Done> drawn = passes_.frame.render(camera, lights);
+    other_air_ = passes_.frame.exchange_air(std::move(own));
+    if (!drawn) return drawn.error();
+    for (const gpu::PassTime& time : passes_.frame.times()) times_.push_back({"second " + time.pass, time.milliseconds});
+    glCopyImageSubData(passes_.frame.radiance().name(), GL_TEXTURE_2D, 0, 0, 0, 0, passes_.second.name(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                       width(), height(), 1);
+    return Done{};
+}
+
+void Stage::expose(const viewer::Session& session, double seconds) {
+    const auto pass = timers_.time("exposure");
+    const double factor = std::exp2(session.look.stops);
+    if (session.look.metered) passes_.exposure.meter(passes_.frame.radiance(), {.grey = grey * factor}, {}, seconds);
+    else passes_.exposure.set(exposure_of_ev100(session.look.ev100) * factor);
+}
+
+// The light of the frame, or of a comparison, as levels.
+void Stage::develop(const viewer::Session& session) {
+    using Shown = viewer::Comparison::Shown;
+    const viewer::Comparison& comparison = session.comparison;
+    const gpu::Texture& own = passes_.frame.radiance();
+    const gpu::Texture& light = comparison.shown == Shown::one ? own : passes_.compared;
+    if (comparison.shown != Shown::one) {
+        const auto pass = timers_.time("compare");
+        passes_.compared_target.bind();
+        if (comparison.shown == Shown::side_by_side) passes_.compare.side_by_side(own, passes_.second, comparison.edge);
+        else passes_.compare.difference(own, passes_.second, comparison.span);
+    }
+    const bool blooms = session.look.bloom > 0.0 && comparison.shown != Shown::difference;
     if (blooms) {
         const auto pass = timers_.time("bloom");
         passes_.bloom.draw(light);
     }
-    {
-        const auto pass = timers_.time("tone");
-        passes_.target.bind();
-        if (blooms) passes_.tone.draw(light, passes_.exposure.exposure(), session.look.tone, passes_.bloom, session.look.bloom);
-        else passes_.tone.draw(light, passes_.exposure.exposure(), session.look.tone);
-    }
-    times_ = passes_.frame.times();
+    const auto pass = timers_.time("tone");
+    passes_.target.bind();
+    const gpu::Buffer& exposure = passes_.exposure.exposure();
+    if (comparison.shown == Shown::difference) passes_.tone.draw(light, exposure_of_one_, ToneCurve::linear);
+    else if (blooms) passes_.tone.draw(light, exposure, session.look.tone, passes_.bloom, session.look.bloom);
+    else passes_.tone.draw(light, exposure, session.look.tone);
+}
+
+Result<Done> Stage::draw(const viewer::Session& session, double seconds) {
+    follow_air(session);
+    const Camera camera = viewer::camera_of(session, width(), height());
+    const render::Lights lights = lights_of(viewer::scene_of(session));
+    times_.clear();
+    if (session.comparison.shown != viewer::Comparison::Shown::one)
+        if (const Result<Done> drawn = draw_second(session, camera, lights); !drawn) return drawn.error();
+    if (const Result<Done> drawn = passes_.frame.render(camera, lights); !drawn) return drawn.error();
+    times_.insert(times_.end(), passes_.frame.times().begin(), passes_.frame.times().end());
+    expose(session, seconds);
+    develop(session);
     for (gpu::PassTime& time : timers_.read()) times_.push_back(std::move(time));
-    return air;
+    return Done{};
 }
 
 PngLevels Stage::levels() const {

@@ -12,6 +12,7 @@
 #include "../scene_air.h"
 #include "image/png.h"
 #include "render/bloom_pass.h"
+#include "render/compare_pass.h"
 #include "render/exposure_pass.h"
 #include "render/frame.h"
 #include "render/tone_pass.h"
@@ -48,12 +49,14 @@ public:
 
     const HeightField& ground() const { return ground_; }
 
-    // Draws the session as it is `seconds` after the last time. Fails if the GPU was reset, or if the session's air cannot be made:
-    // the last air stays then, and the failure is told once.
+    // Draws the session as it is `seconds` after the last time. Fails if the GPU was reset, or the other method of a comparison cannot be
+    // made.
     Result<Done> draw(const viewer::Session& session, double seconds);
 
     // The passes anew, from shaders as they are now; the ground of a scene, if it is another.
     Result<Done> remake(const Scene& scene);
+    // For pictures of another size.
+    Result<Done> resize(int width, int height);
 
     // As a display of 8 bits shows it, its lowest row first; and its light, in cd m-2 of sRGB's primaries, the highest row first.
     const gpu::Framebuffer& shown() const { return passes_.target; }
@@ -70,6 +73,8 @@ public:
     const render::TerrainCount& terrain() const { return passes_.frame.terrain(); }
     // What is being made, and how far it is; none if nothing is.
     std::optional<std::string> at_work() const;
+    // Why the session's air is not what is drawn; empty if it is, or is being made.
+    const std::string& air_failure() const { return air_failure_; }
 
 private:
     struct Passes {
@@ -77,6 +82,9 @@ private:
         render::ExposurePass exposure;
         render::BloomPass bloom;
         render::TonePass tone;
+        render::ComparePass compare;
+        gpu::Texture second, compared;  // of a comparison: the other method's light, and what is shown of both
+        gpu::Framebuffer compared_target;
         gpu::Texture levels;
         gpu::Framebuffer target;
     };
@@ -84,7 +92,11 @@ private:
                                       const std::optional<Tables>& tables, const Scene& scene, int width, int height);
     Stage(const gpu::Context& context, const Scene& scene, TableWishes wishes, HeightField ground, GroundColour colour,
           std::optional<Tables> tables, Passes passes);
-    Result<Done> follow_air(const viewer::Session& session);
+    void follow_air(const viewer::Session& session);
+    Result<Done> take_air(const viewer::Session& session, Result<std::optional<Tables>> tables);
+    Result<Done> draw_second(const viewer::Session& session, const Camera& camera, const render::Lights& lights);
+    void expose(const viewer::Session& session, double seconds);
+    void develop(const viewer::Session& session);
 
     const gpu::Context* context_;
     Scene scene_;  // that the passes were made for
@@ -92,9 +104,12 @@ private:
     HeightField ground_;
     GroundColour colour_;
     std::optional<Tables> tables_;
-    std::string wished_air_;
+    std::string wished_air_, air_failure_;
     std::unique_ptr<AirJob> job_;
     Passes passes_;
+    std::optional<render::AirPass> other_air_;  // of a comparison
+    AirMethodName other_method_ = {};
+    gpu::Buffer exposure_of_one_;
     gpu::PassTimers timers_;
     std::vector<gpu::PassTime> times_;
 };

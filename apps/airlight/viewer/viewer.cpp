@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -24,6 +25,8 @@ namespace {
 constexpr double watch_every_s = 0.5;
 constexpr double longest_frame_s = 0.25;  // flown after a stall
 constexpr double fast = 4.0;
+constexpr double rest_s = 0.3;     // of a window whose size was changed
+constexpr int smallest_side = 64;  // of a picture
 constexpr double scripted_frame_s = 1.0 / 30.0;
 
 // Where the picture stands in the window: as large as it can be, in the middle.
@@ -54,10 +57,10 @@ PicturePlace in_picture(PicturePlace place, const Window& window, const Stage& s
 
 // What goes wrong while the viewer runs; each stays until it is mended.
 struct Failures {
-    std::string scene, shaders, air, file, path;
+    std::string scene, shaders, size, air, file, path;
     std::vector<std::string> all() const {
         std::vector<std::string> told;
-        for (const std::string* failure : {&scene, &shaders, &air, &file, &path})
+        for (const std::string* failure : {&scene, &shaders, &size, &air, &file, &path})
             if (!failure->empty()) told.push_back(*failure);
         return told;
     }
@@ -83,12 +86,12 @@ public:
         if (wishes_.frames > 0) input.seconds = scripted_frame_s;
         watched_s_ += input.seconds;
         if (watched_s_ >= watch_every_s) look_for_changes();
+        if (wishes_.frames == 0) follow_size(input.seconds);
         fly(input);
         facts_.failures = failures_.all();
         draw_panel(panel_, facts_, session_, stage_.ground(), input);
         const Result<Done> drawn = stage_.draw(session_, std::exchange(drawn_once_, true) ? input.seconds : 0.0);
-        if (!drawn) failures_.air = drawn.error().message();
-        else if (!stage_.at_work()) failures_.air.clear();
+        failures_.air = drawn ? stage_.air_failure() : drawn.error().message();
         if (const Result<Done> there = window_.context().check(); !there) return there.error();
         tell();
         save(input);
@@ -143,6 +146,16 @@ private:
         if (shader_watch_.changed()) failures_.shaders = message_of(stage_.remake(session_.file));
         if (wishes_.built_in || !scene_watch_.changed()) return;
         failures_.scene = message_of(take_scene());
+    }
+
+    // Pictures of the window's size, once it rests.
+    void follow_size(double seconds) {
+        const std::array<int, 2> size = {window_.width(), window_.height()};
+        rested_s_ = size == window_size_ ? rested_s_ + seconds : 0.0;
+        window_size_ = size;
+        if (rested_s_ < rest_s || size == std::array{stage_.width(), stage_.height()} || std::min(size[0], size[1]) < smallest_side) return;
+        failures_.size = message_of(stage_.resize(size[0], size[1]));
+        rested_s_ = 0.0;
     }
 
     // The scene's file was written anew.
@@ -200,7 +213,8 @@ private:
     std::optional<double> played_s_;
     Prober prober_;
     viewer::FileWatch scene_watch_, shader_watch_;
-    double watched_s_ = 0.0;
+    double watched_s_ = 0.0, rested_s_ = 0.0;
+    std::array<int, 2> window_size_ = {0, 0};
     bool drawn_once_ = false;
     PanelState panel_;
     PanelFacts facts_;
