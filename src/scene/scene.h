@@ -57,6 +57,8 @@ std::optional<ShaftsName> shafts_named(std::string_view name);
 struct AirScene {
     AirMethodName method = AirMethodName::airlight;
     ShaftsName shafts = ShaftsName::epipolar;
+
+    friend bool operator==(const AirScene&, const AirScene&) = default;
 };
 
 // As seen from the camera's place; its phase follows from where the sun stands.

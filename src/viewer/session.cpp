@@ -71,7 +71,7 @@ Result<Session> reloaded(const Session& session, const Scene& scene, const Heigh
         if (const Result<Done> taken = take_camera(next, ground); !taken) return taken.error();
     if (!(scene.sun == session.file.sun)) take_sun(next);
     if (scene.atmosphere != session.file.atmosphere) next.atmosphere = scene.atmosphere;
-    if (scene.air.method != session.file.air.method) next.air = scene.air;
+    if (!(scene.air == session.file.air)) next.air = scene.air;
     next.eye = above_ground(next.eye, ground);
     return next;
 }

@@ -148,7 +148,7 @@ void Stage::follow_air(const viewer::Session& session) {
     }
     Result<Done> taken = Done{};
     if (job_ && job_->ready()) taken = take_air(session, job_->take());
-    else if (session.air.method != scene_.air.method) taken = take_air(session, tables_);
+    else if (!(session.air == scene_.air)) taken = take_air(session, tables_);
     if (!taken) air_failure_ = taken.error().message();
 }
 

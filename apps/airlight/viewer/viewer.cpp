@@ -162,7 +162,8 @@ private:
     Result<Done> take_scene() {
         const Result<Scene> scene = read_scene(session_.file.file);
         if (!scene) return scene.error();
-        if (const Result<Done> made = stage_.remake(*scene); !made) return made.error();
+        if (!(scene->ground == session_.file.ground))
+            if (const Result<Done> made = stage_.remake(*scene); !made) return made.error();
         Result<viewer::Session> next = viewer::reloaded(session_, *scene, stage_.ground());
         if (!next) return next.error();
         session_ = *std::move(next);

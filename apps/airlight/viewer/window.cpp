@@ -42,20 +42,24 @@ void start_imgui(GLFWwindow* window) {
 
 double axis(int more, int less) { return (ImGui::IsKeyDown(more) ? 1.0 : 0.0) - (ImGui::IsKeyDown(less) ? 1.0 : 0.0); }
 
-// What keys do, while no text is typed.
-void read_keys(Input& input) {
+// What keys do, while no text is typed. `down` is which were down before; keys that were up again before the frame count as well.
+void read_keys(GLFWwindow* window, std::set<int>& down, Input& input) {
     const ImGuiIO& io = ImGui::GetIO();
-    const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, false); };
+    const auto pressed = [&](int key) {
+        if (glfwGetKey(window, key) == GLFW_PRESS) return down.insert(key).second;
+        down.erase(key);
+        return false;
+    };
     input.help = pressed(GLFW_KEY_F1), input.png = pressed(GLFW_KEY_F2), input.exr = pressed(GLFW_KEY_F3);
+    const bool tab = pressed(GLFW_KEY_TAB), z = pressed(GLFW_KEY_Z), y = pressed(GLFW_KEY_Y), q = pressed(GLFW_KEY_Q);
+    const bool k = pressed(GLFW_KEY_K), p = pressed(GLFW_KEY_P);
     if (io.WantTextInput) return;
-    input.hide_panel = pressed(GLFW_KEY_TAB);
+    input.hide_panel = tab;
     if (io.KeyCtrl) {
-        input.undo = pressed(GLFW_KEY_Z) && !io.KeyShift;
-        input.redo = pressed(GLFW_KEY_Y) || (pressed(GLFW_KEY_Z) && io.KeyShift);
-        input.quit = pressed(GLFW_KEY_Q);
+        input.undo = z && !io.KeyShift, input.redo = y || (z && io.KeyShift), input.quit = q;
         return;
     }
-    input.add_key = pressed(GLFW_KEY_K), input.play = pressed(GLFW_KEY_P);
+    input.add_key = k, input.play = p;
     input.fast = io.KeyShift;
     input.steering = {.forward = axis(GLFW_KEY_W, GLFW_KEY_S), .right = axis(GLFW_KEY_D, GLFW_KEY_A), .up = axis(GLFW_KEY_E, GLFW_KEY_Q)};
 }
@@ -101,6 +105,7 @@ Result<Window> Window::open(int width, int height, const std::string& title) {
     if (!context) return context.error();
     opened.context_ = std::move(*context);
     glfwSwapInterval(1);
+    glfwSetInputMode(opened.window_.get(), GLFW_STICKY_KEYS, GLFW_TRUE);  // a short press of a slow frame is one
     start_imgui(opened.window_.get());
     opened.imgui_ = gpu::Handle<CloseImgui>(1);
     return opened;
@@ -127,7 +132,7 @@ Input Window::begin_frame() {
     ImGui::NewFrame();
     Input input;
     input.seconds = static_cast<double>(ImGui::GetIO().DeltaTime);
-    read_keys(input);
+    read_keys(window_.get(), down_, input);
     read_mouse(input);
     return input;
 }

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "core/result.h"
@@ -67,6 +68,7 @@ private:
     std::unique_ptr<GLFWwindow, CloseWindow> window_;
     std::optional<gpu::Context> context_;
     gpu::Handle<CloseImgui> imgui_;
+    std::set<int> down_;  // keys that were at the last frame
 };
 
 }  // namespace airlight::cli
