@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "render/frame.h"
 #include "scene_air.h"
@@ -21,19 +23,50 @@ DrawnFrame drawn_with_figures(Image image, const gpu::Context& context, const re
     return drawn;
 }
 
+// Where each of the cameras is, over the ground.
+Result<std::vector<Camera>> cameras_of(const Scene& scene, std::span<const CameraScene> seen, const HeightField& ground, int width,
+                                       int height) {
+    std::vector<Camera> cameras;
+    for (const CameraScene& one : seen) {
+        Scene from = scene;
+        from.camera = one;
+        const Result<Camera> camera = camera_of(from, ground, width, height);
+        if (!camera) return seen.size() == 1 ? camera.error() : at(fmt::format("picture {}", cameras.size()), camera.error());
+        cameras.push_back(*camera);
+    }
+    return cameras;
+}
+
+// The ground is as fine as the camera that sees it nearest needs it.
+const Camera& narrowest(std::span<const Camera> cameras) { return *std::ranges::min_element(cameras, {}, &Camera::vertical_field_of_view); }
+
 }  // namespace
 
-Result<DrawnFrame> draw_scene(const Scene& scene, int width, int height, const TableWishes& wishes) {
+struct SceneFrames::Parts {
+    std::unique_ptr<gpu::Context> context;
+    std::vector<Camera> cameras;
+    render::Lights lights;
+    render::Frame frame;
+};
+
+SceneFrames::SceneFrames(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+SceneFrames::SceneFrames(SceneFrames&&) noexcept = default;
+SceneFrames& SceneFrames::operator=(SceneFrames&&) noexcept = default;
+SceneFrames::~SceneFrames() = default;
+
+Result<SceneFrames> SceneFrames::create(const Scene& scene, std::span<const CameraScene> cameras, int width, int height,
+                                        const TableWishes& wishes) {
     const Result<HeightField> ground = ground_of(scene);
     if (!ground) return ground.error();
     const Result<GroundColour> colour = colour_of(scene);
     if (!colour) return colour.error();
-    const Result<Camera> camera = camera_of(scene, *ground, width, height);
-    if (!camera) return camera.error();
+    Result<std::vector<Camera>> placed = cameras_of(scene, cameras, *ground, width, height);
+    if (!placed) return placed.error();
     const Result<std::optional<Atmosphere>> air = air_of(scene);
     if (!air) return air.error();
-    const Result<gpu::Context> context = gpu::Context::create();
-    if (!context) return context.error();
+    Result<gpu::Context> made = gpu::Context::create();
+    if (!made) return made.error();
+    auto context = std::make_unique<gpu::Context>(*std::move(made));
     const Result<std::optional<Tables>> tables = tables_of(*air, wishes);
     if (!tables) return tables.error();
     Result<std::optional<render::AirPass>> pass = air_pass_of(*tables, scene);
@@ -41,12 +74,16 @@ Result<DrawnFrame> draw_scene(const Scene& scene, int width, int height, const T
     Result<render::ShaftsPass> shafts = shafts_pass_of(*air, scene, width, height);
     if (!shafts) return shafts.error();
     Result<render::Frame> frame =
-        render::Frame::create(*context, *ground, *colour, *camera, *std::move(pass), *std::move(shafts), stars_of(scene));
+        render::Frame::create(*context, *ground, *colour, narrowest(*placed), *std::move(pass), *std::move(shafts), stars_of(scene));
     if (!frame) return frame.error();
-    Result<Image> image = frame->draw(*camera, lights_of(scene));
+    return SceneFrames(std::make_unique<Parts>(Parts{std::move(context), *std::move(placed), lights_of(scene), *std::move(frame)}));
+}
+
+Result<DrawnFrame> SceneFrames::draw(std::size_t camera) {
+    Result<Image> image = parts_->frame.draw(parts_->cameras[camera], parts_->lights);
     if (!image) return image.error();
     bring_into_gamut(*image);
-    return drawn_with_figures(std::move(*image), *context, *frame);
+    return drawn_with_figures(std::move(*image), *parts_->context, parts_->frame);
 }
 
 }  // namespace airlight::cli

@@ -5,15 +5,21 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <system_error>
+#include <vector>
 
 #include "command.h"
 #include "core/files.h"
 #include "frame_of_scene.h"
+#include "image/adaptation.h"
 #include "image/exposure.h"
 #include "image/exr.h"
 #include "image/png.h"
 #include "image/tone.h"
 #include "interrupt.h"
+#include "scene/camera_path.h"
+#include "scene/path_frames.h"
 #include "spectrum/colour.h"
 #include "table_wishes.h"
 #include "units/text.h"
@@ -22,9 +28,14 @@ namespace airlight::cli {
 
 namespace {
 
+// Of a path: their names have five digits.
+constexpr int most_pictures = 100'000;
+
 struct RenderOptions {
     std::string scene;
     std::vector<std::string> outputs;
+    std::string path;
+    double rate = 25.0;
     int width = 1280;
     int height = 720;
     std::string air;
@@ -38,6 +49,7 @@ struct RenderOptions {
 // Everything that can be wrong, found out before anything long begins.
 struct Wishes {
     Scene scene;
+    std::optional<CameraPath> path;
     ToneCurve tone;
     std::optional<double> exposure;  // none: metered
     TableWishes tables;
@@ -48,6 +60,28 @@ Result<Done> check_output(const std::string& path) {
     if (extension != ".exr" && extension != ".png")
         return Error{path, "is neither a .exr nor a .png file", "End the name in .exr (light) or .png (a picture for the screen)."};
     return can_write(path);
+}
+
+Result<Done> check_outputs(const RenderOptions& given) {
+    if (given.path.empty()) {
+        for (const std::string& path : given.outputs)
+            if (const Result<Done> possible = check_output(path); !possible) return possible.error();
+        return Done{};
+    }
+    if (given.outputs.size() != 1 || std::filesystem::path(given.outputs[0]).has_extension())
+        return Error{"--output", "the pictures of a path go into one folder", "Write -o frames/."};
+    if (!(given.rate > 0.0 && given.rate <= 1000.0))
+        return Error{"--rate", fmt::format("{} is out of range: it must be above 0 and at most 1000 pictures a second", given.rate), ""};
+    return Done{};
+}
+
+Result<std::optional<CameraPath>> path_of(const RenderOptions& given) {
+    if (given.path.empty()) return std::optional<CameraPath>();
+    Result<CameraPath> path = read_camera_path(given.path);
+    if (!path) return path.error();
+    if ((path->end_s() - path->begin_s()) * given.rate >= most_pictures)
+        return Error{"--rate", fmt::format("{} pictures a second make more than {} of this path", given.rate, most_pictures), ""};
+    return std::optional(*std::move(path));
 }
 
 Result<Wishes> wishes_of(const RenderOptions& given) {
@@ -68,11 +102,12 @@ Result<Wishes> wishes_of(const RenderOptions& given) {
                      ""};
     const std::optional<ToneCurve> tone = tone_curve_named(given.tone);
     if (!tone) return Error{"--tone", fmt::format("\"{}\" is none of: {}", given.tone, tone_curve_names), ""};
-    for (const std::string& path : given.outputs)
-        if (const Result<Done> possible = check_output(path); !possible) return possible.error();
+    if (const Result<Done> possible = check_outputs(given); !possible) return possible.error();
+    const Result<std::optional<CameraPath>> path = path_of(given);
+    if (!path) return path.error();
     const Result<TableWishes> tables = table_wishes_of(given.tables);
     if (!tables) return tables.error();
-    Wishes wishes{*scene, *tone, std::nullopt, *tables};
+    Wishes wishes{*scene, *path, *tone, std::nullopt, *tables};
     if (given.exposure == "auto") return wishes;
     const Result<double> ev = parse_number(given.exposure);
     if (!ev)
@@ -104,20 +139,101 @@ Result<Done> write(const std::string& path, const Image& image, const RenderOpti
     return write_exr(path, image, meaning, ExrPixels::float16);
 }
 
+void print(const Figures& figures) {
+    for (const auto& [quantity, value, unit] : figures) fmt::print("{},{},{}\n", quantity, value, unit);
+}
+
+// What a file is, for telling another of the same name from it; "" for a name that is no file, such as that of a preset.
+std::string file_stamp(const std::filesystem::path& path) {
+    std::error_code absent;
+    const auto bytes = std::filesystem::file_size(path, absent);
+    if (absent) return "";
+    return fmt::format("{} {}", bytes, std::filesystem::last_write_time(path, absent).time_since_epoch().count());
+}
+
+// All that the pictures of a path are a function of.
+Result<std::string> ingredients_of(const RenderOptions& given, const Scene& scene) {
+    std::string made_of = fmt::format("{} {}x{} {} {} {} {} {} {} {}\n", AIRLIGHT_VERSION, given.width, given.height, given.rate,
+                                      given.exposure, given.tone, given.air, given.shafts, given.tables.orders, given.tables.sizes);
+    for (const std::string& file : {given.scene, given.path}) {
+        const Result<std::string> text = read_file(file);
+        if (!text) return text.error();
+        made_of += *text + '\0';
+    }
+    const std::filesystem::path beside = std::filesystem::path(scene.file).parent_path();
+    for (const std::filesystem::path& file : {scene.ground.elevation.value_or(""), scene.ground.surface.value_or(""),
+                                              beside / scene.atmosphere, std::filesystem::path(scene.atmosphere)})
+        made_of += file.string() + ' ' + file_stamp(file) + '\n';
+    return made_of;
+}
+
+std::vector<CameraScene> cameras_of(const CameraPath& path, const std::vector<double>& times) {
+    std::vector<CameraScene> cameras;
+    for (const double time : times) {
+        const CameraKey key = camera_at(path, time);
+        cameras.push_back({.viewpoint = key.eye, .vertical_field_of_view = key.vertical_field_of_view});
+    }
+    return cameras;
+}
+
+// The exposure of the next picture: fixed, or metered and followed as an eye does.
+double followed_exposure(const Image& image, const Wishes& wishes, const std::vector<double>& before, double rate) {
+    const double now = exposure_of(image, wishes);
+    if (wishes.exposure || before.empty()) return now;
+    return adapted_exposure(before.back(), now, 1.0 / rate, {});
+}
+
+Result<Done> run_path(const RenderOptions& given, const Wishes& wishes) {
+    const std::vector<double> times = picture_times(*wishes.path, given.rate);
+    const std::vector<CameraScene> cameras = cameras_of(*wishes.path, times);
+    const Result<std::string> made_of = ingredients_of(given, wishes.scene);
+    if (!made_of) return made_of.error();
+    Result<FrameFolder> folder = FrameFolder::open(given.outputs[0], *made_of);
+    if (!folder) return folder.error();
+    const std::size_t kept = folder->exposures().size();
+    Figures figures;
+    if (kept < times.size()) {
+        Result<SceneFrames> frames = SceneFrames::create(wishes.scene, cameras, given.width, given.height, wishes.tables);
+        if (!frames) return frames.error();
+        for (std::size_t number = kept; number < times.size(); ++number) {
+            wishes.tables.progress.report("pictures", static_cast<double>(number) / static_cast<double>(times.size()));
+            if (wishes.tables.progress.stop.stop_requested())
+                return Error{"", "the path was interrupted", "What was finished is kept: the same command goes on from there."};
+            const Result<DrawnFrame> drawn = frames->draw(number);
+            if (!drawn) return drawn.error();
+            const double exposure = followed_exposure(drawn->image, wishes, folder->exposures(), given.rate);
+            if (const Result<Done> written = write_png(folder->picture(number), developed(drawn->image, exposure, wishes.tone)); !written)
+                return written.error();
+            if (const Result<Done> noted = folder->add(exposure); !noted) return noted.error();
+            figures = drawn->figures;
+        }
+    }
+    fmt::print("quantity,value,unit\n");
+    print(figures);
+    fmt::print("pictures kept,{},\npictures drawn,{},\nfolder,{},\n", kept, times.size() - kept, given.outputs[0]);
+    return Done{};
+}
+
+Result<Done> run_picture(const RenderOptions& given, const Wishes& wishes) {
+    Result<SceneFrames> frames = SceneFrames::create(wishes.scene, {&wishes.scene.camera, 1}, given.width, given.height, wishes.tables);
+    if (!frames) return frames.error();
+    const Result<DrawnFrame> drawn = frames->draw(0);
+    if (!drawn) return drawn.error();
+    for (const std::string& path : given.outputs)
+        if (const Result<Done> written = write(path, drawn->image, given, wishes); !written) return written.error();
+    fmt::print("quantity,value,unit\n");
+    print(drawn->figures);
+    for (const std::string& path : given.outputs) fmt::print("file,{},\n", path);
+    return Done{};
+}
+
 Result<Done> run(const RenderOptions& given) {
     const Interrupt interrupt;
     Result<Wishes> wishes = wishes_of(given);
     if (!wishes) return wishes.error();
     ProgressLine line(given.quiet);
     wishes->tables.progress = line.progress(interrupt.token());
-    const Result<DrawnFrame> drawn = draw_scene(wishes->scene, given.width, given.height, wishes->tables);
-    if (!drawn) return drawn.error();
-    for (const std::string& path : given.outputs)
-        if (const Result<Done> written = write(path, drawn->image, given, *wishes); !written) return written.error();
-    fmt::print("quantity,value,unit\n");
-    for (const auto& [quantity, value, unit] : drawn->figures) fmt::print("{},{},{}\n", quantity, value, unit);
-    for (const std::string& path : given.outputs) fmt::print("file,{},\n", path);
-    return Done{};
+    return wishes->path ? run_path(given, *wishes) : run_picture(given, *wishes);
 }
 
 }  // namespace
@@ -126,9 +242,14 @@ Command render_command(CLI::App& airlight) {
     const auto given = std::make_shared<RenderOptions>();
     CLI::App* render = airlight.add_subcommand("render", "Draw a planet from anywhere, its ground and its air, without a window.");
     render->add_option("scene", given->scene, "a scene file: docs/scene-file.md")->required()->option_text("<scene.toml>");
-    render->add_option("-o,--output", given->outputs, "a .exr (light in cd m-2) or .png file; may be given several times")
+    render
+        ->add_option("-o,--output", given->outputs,
+                     "a .exr (light in cd m-2) or .png file; may be given several times; with --path a folder")
         ->option_text("<file>")
         ->required();
+    render->add_option("--path", given->path, "a camera path: docs/camera-path.md; the same command goes on with one that was stopped")
+        ->option_text("<path.toml>");
+    render->add_option("--rate", given->rate, "of a path, in pictures a second")->option_text("<n>")->capture_default_str();
     render->add_option("--width", given->width, "of the picture, in pixels")->option_text("<n>")->capture_default_str();
     render->add_option("--height", given->height, "of the picture, in pixels")->option_text("<n>")->capture_default_str();
     render

@@ -22,3 +22,18 @@ if(AIRLIGHT_GPU)
   airlight_cli_test("render: an atmosphere that is none is told" EXIT 1 ERR "no-such-air.toml: atmosphere"
     COMMAND render ${CMAKE_CURRENT_SOURCE_DIR}/../corpus/scene/no-such-air.toml --width 64 --height 36 -o m.png)
 endif()
+set(paths ${CMAKE_CURRENT_SOURCE_DIR}/../corpus/path)
+airlight_cli_test("render: a misspelt key of a path is told with its line" EXIT 1 ERR "misspelt.toml:6: key.headng is no key"
+  COMMAND render ${mountains} --path ${paths}/misspelt.toml -o frames)
+airlight_cli_test("render: the pictures of a path go into a folder" EXIT 1 ERR "^--output: the pictures of a path go into one folder"
+  COMMAND render ${mountains} --path ${paths}/turn.toml -o m.png)
+airlight_cli_test("render: no rate is refused" EXIT 1 ERR "^--rate: 0 is out of range" COMMAND render ${mountains} --path ${paths}/turn.toml --rate 0 -o frames)
+airlight_cli_test("render: more pictures than have a name are refused" EXIT 1 ERR "^--rate: 1000 pictures a second make more than"
+  COMMAND render ${mountains} --path ${paths}/long.toml --rate 1000 -o frames)
+if(AIRLIGHT_GPU)
+  airlight_cli_test("render: a path that leads into the ground is told before it is drawn" EXIT 1 ERR "^picture [0-9]+: .*is in the ground"
+    COMMAND render ${mountains} ${small_air} --path ${paths}/buried.toml --width 64 --height 36 -o frames)
+  add_test(NAME "cli: render: a path that is stopped goes on to the same pictures"
+           COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/interrupted_path $<TARGET_FILE:airlight> ${PROJECT_SOURCE_DIR}/data/demo/mountains.toml ${paths}/turn.toml)
+  set_tests_properties("cli: render: a path that is stopped goes on to the same pictures" PROPERTIES TIMEOUT 300)
+endif()
