@@ -83,10 +83,10 @@ FN Number bruneton2008_sun_of_coordinate(Number x) {
 }
 
 // The same on the axis that a shape has.
-FN Number bruneton2008_sun_coordinate(Number mu_s, bool twilight) {
+FN Number bruneton2008_chosen_sun_coordinate(Number mu_s, bool twilight) {
     return twilight ? sun_coordinate(mu_s) : bruneton2008_sun_coordinate(mu_s);
 }
-FN Number bruneton2008_sun_of_coordinate(Number x, bool twilight) {
+FN Number bruneton2008_chosen_sun_of_coordinate(Number x, bool twilight) {
     return twilight ? sun_of_coordinate(x) : bruneton2008_sun_of_coordinate(x);
 }
 
@@ -103,7 +103,7 @@ struct Bruneton2008Place {
 // perspective are on one side of the horizon.
 FN Bruneton2008Place bruneton2008_place(IN(Bruneton2008) shape, Length h, Number mu, Number mu_s, Number nu, bool ground) {
     Bruneton2008Place place;
-    Number sun = texture_coordinate(bruneton2008_sun_coordinate(mu_s, shape.twilight), shape.sun_size);
+    Number sun = texture_coordinate(bruneton2008_chosen_sun_coordinate(mu_s, shape.twilight), shape.sun_size);
     Number x = clamp(0.5 + 0.5 * nu, Number(0.0), Number(1.0)) * (Number(shape.nu_size) - 1.0);
     Number texel = min(floor(x), Number(shape.nu_size) - 2.0);
     place.weight = x - texel;

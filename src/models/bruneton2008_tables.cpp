@@ -88,7 +88,7 @@ void Bruneton2008Tables::fill_row(int view, int altitude) const {
     const Gathered higher{.single = false, .source = &pack_.tables.source, .diffuse_on_ground = nullptr, .direct_on_ground = false};
     for (int n = 0; n < shape_.nu_size; ++n)
         for (int s = 0; s < shape_.sun_size; ++s) {
-            const double mu_s = f64::bruneton2008_sun_of_coordinate(fraction(s, shape_.sun_size), shape_.twilight).value;
+            const double mu_s = f64::bruneton2008_chosen_sun_of_coordinate(fraction(s, shape_.sun_size), shape_.twilight).value;
             // Angles that view and sun cannot make go on as the nearest that they can.
             const double sines = std::sqrt(std::max(0.0, (1.0 - mu * mu) * (1.0 - mu_s * mu_s)));
             const double nu = std::clamp(2.0 * fraction(n, shape_.nu_size) - 1.0, mu * mu_s - sines, mu * mu_s + sines);

@@ -75,7 +75,7 @@ TEST_CASE("bruneton2008's maps lead there and back at every size of its tables")
                     const airlight::f64::Length h = bruneton2008_altitude_of_coordinate(y, bottom, top);
                     CHECK(bruneton2008_altitude_coordinate(h, bottom, top).value == doctest::Approx(y).epsilon(1e-12));
                     for (const bool twilight : {false, true})
-                        CHECK(bruneton2008_sun_coordinate(bruneton2008_sun_of_coordinate(y, twilight), twilight).value ==
+                        CHECK(bruneton2008_chosen_sun_coordinate(bruneton2008_chosen_sun_of_coordinate(y, twilight), twilight).value ==
                               doctest::Approx(y).epsilon(1e-12));
                     for (int i = 0; i < size; ++i) {
                         const double x = static_cast<double>(i) / (size - 1);

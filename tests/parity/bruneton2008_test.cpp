@@ -51,7 +51,7 @@ AirView view_of_texel(const Bruneton2008Settings& texels, const Shell& shell, in
     const f64::Length above = ground ? std::max(h, f64::Length::of(1.0)) : h;
     const double mu = ground ? f64::bruneton2008_ground_cosine(above, fraction(view, half), bottom).value
                              : f64::bruneton2008_sky_cosine(h, fraction(view - half, half), bottom, top).value;
-    return {above.value, mu, f64::bruneton2008_sun_of_coordinate(fraction(sun, texels.sun), texels.twilight).value,
+    return {above.value, mu, f64::bruneton2008_chosen_sun_of_coordinate(fraction(sun, texels.sun), texels.twilight).value,
             2.0 * fraction(nu, texels.nu) - 1.0, ground};
 }
 

@@ -16,7 +16,7 @@ Gathered nothing_gathered() {
 }
 
 void gather(Way way, float from, float to, inout Gathered g) {
-    AirlightRay ray = AirlightRay(way.h, way.mu, way.mu_s, way.nu, way.length);
+    AirlightRay ray = AirlightRay(way.h, way.mu, way.mu_s, way.nu, way.extent);
     float start = (air.bottom + way.h) * way.mu, end = start + to, reach = 0.0;
     for (float x = start + from; x < end;) {
         float next = airlight_next_cut(densities, way.h, start, x, end, reach);

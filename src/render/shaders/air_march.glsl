@@ -25,7 +25,7 @@ layout(std140, binding = 6) uniform AirShare {
 struct Way {
     float h;  // altitude of its start
     float mu, mu_s, nu;
-    float length;
+    float extent;
     bool grounded;
     float angle;  // between the ray and the sun
 };

@@ -8,7 +8,7 @@ Way way_of(int row, int azimuth) {
     way.h = min(h, air_shell.y);
     way.mu = w.y;
     way.mu_s = clamp(((bottom + h) * mu_s + way.nu * w.z) / (bottom + way.h), -1.0, 1.0);
-    way.length = abs(w.w);
+    way.extent = abs(w.w);
     way.grounded = w.w < 0.0;
     way.angle = acos(way.nu);
     return way;
@@ -51,13 +51,13 @@ void main() {
     Gathered gathered = nothing_gathered();
     for (int i = 0; i <= ray_counts.w; ++i) {
         float before = distance, wanted = float(i) / float(ray_counts.w);
-        if (i == 0) distance = 1e-3 * way.length / float(ray_counts.w);  // the eye itself
-        else if (i == ray_counts.w) distance = way.length;
+        if (i == 0) distance = 1e-3 * way.extent / float(ray_counts.w);  // the eye itself
+        else if (i == ray_counts.w) distance = way.extent;
         else
             for (int step = 0; step < 6; ++step)  // Newton's
-                distance = clamp(distance + (wanted - layer_place(distance, way.length, way.grounded)) /
-                                                layer_slope(distance, way.length, way.grounded),
-                                 before, way.length);
+                distance = clamp(distance + (wanted - layer_place(distance, way.extent, way.grounded)) /
+                                                layer_slope(distance, way.extent, way.grounded),
+                                 before, way.extent);
         gather(way, before, distance, gathered);
         keep(ivec3(place, i), way, distance, colours_of(way, gathered));
     }

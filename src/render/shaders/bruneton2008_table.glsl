@@ -15,7 +15,7 @@ bool table_texel(out TableTexel texel, out Way way) {
     if (i >= table_views * across) return false;
     texel.view = i / across;
     texel.across = i % across;
-    texel.mu_s = bruneton2008_sun_of_coordinate(float(texel.across % table_suns) / float(table_suns - 1), table_twilight != 0);
+    texel.mu_s = bruneton2008_chosen_sun_of_coordinate(float(texel.across % table_suns) / float(table_suns - 1), table_twilight != 0);
     way = ways[bake_first * table_views + texel.view];
     // Angles that view and sun cannot make go on as the nearest that they can.
     float sines = sqrt(max((1.0 - way.mu * way.mu) * (1.0 - texel.mu_s * texel.mu_s), 0.0)), middle = way.mu * texel.mu_s;
