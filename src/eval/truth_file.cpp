@@ -71,7 +71,7 @@ std::string header(const TruthOrigin& origin) { return fmt::format("airlight tru
 
 TruthOrigin truth_origin(const Atmosphere& atmosphere, std::span<const Wavelength> wavelengths, const Condition& condition,
                          std::int64_t paths, std::uint64_t seed) {
-    const std::string all = fmt::format("{} {} {} {} {} {}", truth_version, key_text(table_key(atmosphere, wavelengths, {})),
+    const std::string all = fmt::format("{} {} {} {} {} {}", truth_version, key_text(description_key(atmosphere, wavelengths)),
                                         condition.altitude.value, condition.sun_zenith_deg, paths, seed);
     return {hash_text(all), wavelengths.size()};
 }

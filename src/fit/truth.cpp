@@ -21,7 +21,7 @@ constexpr std::string_view version = "true sky 1";
 TableKey key_of(const Atmosphere& atmosphere, std::span<const View> views, std::span<const Wavelength> wavelengths,
                 const TruthSettings& s) {
     JobKey key(version);
-    key.add(table_key(atmosphere, wavelengths, s.truth == Truth::tables ? s.bake : BakeSettings{}));
+    key.add(s.truth == Truth::tables ? table_key(atmosphere, wavelengths, s.bake) : description_key(atmosphere, wavelengths));
     if (s.truth == Truth::reference)
         key.add(fmt::format("reference {} {} {} {}", s.reference.paths, s.reference.seed, s.reference.first_order, s.reference.last_order));
     for (const View& v : views) key.add(Numbers{v.altitude.value, v.view_zenith, v.sun_zenith, v.relative_azimuth});

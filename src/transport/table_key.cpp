@@ -12,7 +12,7 @@ namespace airlight {
 namespace {
 
 // Raised when the same description is baked into other numbers, so that older tables are not taken for new ones.
-constexpr std::uint64_t bake_version = 8;
+constexpr std::uint64_t bake_version = 9;
 
 // Structures are taken apart by structured bindings: a field that is added and forgotten here does not compile.
 class CanonicalBytes {
@@ -124,6 +124,12 @@ std::string key_text(const TableKey& key) { return fmt::format("{:016x}{:016x}",
 TableKey table_key(const Atmosphere& atmosphere, std::span<const Wavelength> wavelengths, const BakeSettings& settings) {
     CanonicalBytes bytes;
     bytes.add_all(bake_version, atmosphere, wavelengths, settings);
+    return bytes.hash();
+}
+
+TableKey description_key(const Atmosphere& atmosphere, std::span<const Wavelength> wavelengths) {
+    CanonicalBytes bytes;
+    bytes.add_all(atmosphere, wavelengths);
     return bytes.hash();
 }
 

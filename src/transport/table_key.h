@@ -23,4 +23,7 @@ std::string key_text(const TableKey& key);
 // the atmosphere and to its constituents: they send no light. The same on every machine and in every locale.
 TableKey table_key(const Atmosphere& atmosphere, std::span<const Wavelength> wavelengths, const BakeSettings& settings);
 
+// Of the description alone, for what is computed from it without tables.
+TableKey description_key(const Atmosphere& atmosphere, std::span<const Wavelength> wavelengths);
+
 }  // namespace airlight

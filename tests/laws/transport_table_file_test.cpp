@@ -137,6 +137,17 @@ TEST_CASE("a change of any one field of the description, of the wavelengths or o
     }
 }
 
+TEST_CASE("the key of a description alone knows its fields, and nothing of the settings") {
+    const auto key = [](const Described& d) { return description_key(d.atmosphere, d.wavelengths); };
+    Described thicker, redder, finer;
+    grow(thicker.atmosphere.top_altitude);
+    redder.wavelengths.pop_back();
+    ++finer.settings.sizes.sun;
+    CHECK(key(thicker) != key(Described{}));
+    CHECK(key(redder) != key(Described{}));
+    CHECK(key(finer) == key(Described{}));
+}
+
 TEST_CASE("names, the sign of zero and the locale leave the key as it is") {
     const TableKey key = Described{}.key();
     Described same;
