@@ -242,7 +242,7 @@ Command compare_command(CLI::App& airlight) {
         ->capture_default_str();
     app->add_option("--band", given->band, "measured skies: wavelengths that count, in nm")->option_text("<nm:nm>")->capture_default_str();
     app->add_option("--paths", given->paths,
-                    "reference: paths a direction; 24 times as many with the sun beyond 80 deg, 192 beyond 98, 96 from space beyond 85")
+                    "reference: paths a direction; 24 times as many with the sun beyond 80 deg, 192 beyond 98, 768 from space beyond 85")
         ->option_text("<n>")
         ->capture_default_str();
     app->add_option("--seed", given->seed, "reference: the same seed gives the same digits")->option_text("<n>")->capture_default_str();

@@ -307,8 +307,7 @@ std::string head(const Comparison& comparison, const std::string& command) {
     for (const double eye : altitudes_m(comparison.airs.front())) eyes += fmt::format("{}{}", eyes.empty() ? "" : ", ", altitude_text(eye));
     return fmt::format(
         "# Every model of the sky against the truth\nWritten by `{}`, all of it; how the figures are made: `src/eval`.\n\n"
-        "The truth is {} ({} paths a direction by day, 24 times as many with the sun beyond 80°, 192 times beyond 98°, 96 times from space "
-        "in twilight), at {} "
+        "The truth is {} ({}), at {} "
         "wavelengths from {:g} to {:g} nm, "
         "with the eye at {} and the sun {} from the zenith. Percentages are root-mean-square relative errors over directions above the "
         "horizon (twelve from the zenith to 0.3°; from space six "
@@ -320,7 +319,7 @@ std::string head(const Comparison& comparison, const std::string& command) {
         "luminance (relative, %), chromaticity (u′v′) and CIEDE2000. Models of exponential air are hundreds of per cent off in twilight "
         "and "
         "above haze that ends at an altitude, for they cannot express it: docs/accuracy.md shows the same models in air that they can.\n\n",
-        command, truth_text(comparison), comparison.paths, comparison.wavelengths.size(), comparison.wavelengths.first().in(nm),
+        command, truth_text(comparison), paths_text(comparison.paths), comparison.wavelengths.size(), comparison.wavelengths.first().in(nm),
         comparison.wavelengths.last().in(nm), eyes, suns, end_of_day_deg);
 }
 

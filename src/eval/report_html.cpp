@@ -212,11 +212,7 @@ std::string model_details(const AirRun& air, std::size_t index, const ModelRun& 
 
 std::string method(const Comparison& comparison) {
     std::string html = fmt::format("<p>The truth is {}.", truth_text(comparison));
-    if (comparison.against == Against::reference)
-        html += fmt::format(
-            " It has {} paths a direction by day, 24 times as many with the sun beyond 80°, 192 times beyond 98°, 96 times from space in "
-            "twilight.",
-            comparison.paths);
+    if (comparison.against == Against::reference) html += fmt::format(" It has {}.", paths_text(comparison.paths));
     html +=
         " Percentages are root-mean-square relative errors over directions above the horizon and wavelengths, less the truth’s own "
         "variance; directions "

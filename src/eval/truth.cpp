@@ -1,11 +1,20 @@
 #include "eval/truth.h"
 
+#include <fmt/format.h>
+
 namespace airlight {
 
 std::int64_t paths_for(std::int64_t by_day, const Condition& condition) {
     if (condition.sun_zenith_deg <= 80.0) return by_day;
     if (condition.sun_zenith_deg > 98.0) return by_day * 192;
-    return by_day * (condition.altitude > 100.0 * km && condition.sun_zenith_deg > 85.0 ? 96 : 24);
+    return by_day * (condition.altitude > 100.0 * km && condition.sun_zenith_deg > 85.0 ? 768 : 24);
+}
+
+std::string paths_text(std::int64_t by_day) {
+    return fmt::format(
+        "{} paths a direction by day, 24 times as many with the sun beyond 80°, 192 times beyond 98°, 768 times from space "
+        "in twilight",
+        by_day);
 }
 
 Result<SkyTruth> truth_by(const Sky& sky, const Atmosphere& atmosphere, const Condition& condition, const Progress& progress) {

@@ -22,8 +22,10 @@ struct SkyTruth {
 // How hard the reference works: light of twilight comes by rare paths, from space by the rarest; with too few of them the
 // reference reads too dark, and its standard error too small.
 //   by_day  paths in each direction with the sun up to 80 degrees from the zenith
-// 24 times as many beyond, 192 times beyond 98, and 96 times for an eye above 100 km with the sun beyond 85 degrees.
+// 24 times as many beyond, 192 times beyond 98, and 768 times for an eye above 100 km with the sun beyond 85 degrees.
 std::int64_t paths_for(std::int64_t by_day, const Condition& condition);
+// The same in words.
+std::string paths_text(std::int64_t by_day);
 
 // The truth by a sky that gives it: the reference, or the tables.
 // Fails if the sky cannot answer, or `progress` asks to stop; progress is told the share of directions done.
