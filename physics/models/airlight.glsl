@@ -66,8 +66,8 @@ FN Spectrum airlight_transmittance(WITH_AIRLIGHT_AIR IN(AirlightColumns) columns
 FN Spectrum airlight_upward(WITH_AIRLIGHT_AIR IN(PACKED_TABLE_2D(Spectrum)) transmittance, Length h, Number mu) {
     Number u = transmittance_cosine_coordinate(h, max(mu, horizon_cosine(h, air.bottom)), air.bottom, air.top);
     Number v = (airlight_texel(air.transmittance_axis, h, air.top) + 0.5) / Number(air.transmittance_axis.texels);
-    Spectrum depth = look_up(transmittance, TexCoord2(texture_coordinate(u, air.cosine_texels), v));
-    return exp(depth * (-air.deepest_depth));
+    Spectrum logarithm = look_up(transmittance, TexCoord2(texture_coordinate(u, air.cosine_texels), v)) * air.depth_range;
+    return exp(exp(logarithm) * (-air.least_depth));
 }
 
 // Transmittance from a point to the sun, times the part of its disk above the horizon.

@@ -38,9 +38,10 @@ struct AirlightAir {
     AirlightAxis density_axis;
     AirlightAxis transmittance_axis;
     AirlightAxis source_axis;
-    // Tables hold values of 0 to 1: optical depth over deepest_depth, and the logarithm of the source over the sun's irradiance
-    // from log_low to log_low + log_range.
-    Number deepest_depth;
+    // Tables hold values of 0 to 1: the logarithm of the optical depth over least_depth, up to depth_range; and that of the source
+    // over the sun's irradiance, from log_low to log_low + log_range.
+    Number least_depth;
+    Number depth_range;
     Number log_low;
     Number log_range;
     int sun_texels;

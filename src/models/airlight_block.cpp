@@ -62,7 +62,7 @@ std::vector<std::byte> airlight_block(const f32::AirlightAir& air, int first) {
     block.put(air.scattering), block.put(air.extinction), block.put(air.opacity);
     block.put(air.ground_albedo), block.put(air.solar_irradiance), block.put(air.sun_radius);
     block.put(air.density_axis), block.put(air.transmittance_axis), block.put(air.source_axis);
-    block.put(air.deepest_depth), block.put(air.log_low), block.put(air.log_range);
+    block.put(air.least_depth), block.put(air.depth_range), block.put(air.log_low), block.put(air.log_range);
     block.put(air.sun_texels), block.put(air.azimuth_texels), block.put(air.view_texels), block.put(air.cosine_texels);
     block.put(air.rule);
     block.align();

@@ -15,8 +15,8 @@ namespace {
 constexpr TableSizes sizes = {.transmittance_mu = 256, .transmittance_altitude = 64, .sun = 40, .azimuth = 8, .view = 16, .altitude = 20};
 constexpr int density_texels = 1024;
 
-// Beyond it nothing is seen: e^-64 is 2e-28.
-constexpr float deepest_depth = 64.0f;
+// Optical depths: less is nothing, and beyond the deepest nothing is seen, for e^-64 is 2e-28.
+constexpr float least_depth = 1e-6f, deepest_depth = 64.0f;
 // The source over the sun's irradiance: between the brightest that scattering makes of it, and night.
 constexpr float log_low = -26.0f;
 constexpr float log_range = 28.0f;
@@ -87,11 +87,12 @@ PackedTexels packed_diffuse(const Tables::Pack& pack) {
 }
 
 PackedTexels packed_transmittance(const PackAir& air) {
-    const Table<f32::Spectrum, 2> depths = transmittance_table(air, sizes.transmittance_mu);
+    const Table<f32::Spectrum, 2> logarithms = transmittance_table(air, sizes.transmittance_mu);
+    const float least = std::log(least_depth / thinnest_depth), range = std::log(deepest_depth / least_depth);
     PackedTexels table = packed_texels({sizes.transmittance_mu, air.transmittance_axis.size(), 1});
     for (int j = 0; j < air.transmittance_axis.size(); ++j)
         for (int i = 0; i < sizes.transmittance_mu; ++i)
-            pack_spectrum(depths[{i, j}] * (1.0 / static_cast<double>(deepest_depth)), texel(table, i, j, 0));
+            pack_spectrum((logarithms[{i, j}] - f32::Spectrum(f32::Number::of(least))) / f32::Number::of(range), texel(table, i, j, 0));
     return table;
 }
 
@@ -170,7 +171,8 @@ AirlightTables airlight_medium(const PackAir& air, const TableSizes& sizes, int 
     t.air.density_axis = axis_of(density_axis);
     t.air.transmittance_axis = axis_of(air.transmittance_axis);
     t.air.source_axis = axis_of(air.source_axis);
-    t.air.deepest_depth = f32::Number::of(deepest_depth);
+    t.air.least_depth = f32::Number::of(least_depth);
+    t.air.depth_range = f32::Number::of(std::log(deepest_depth / least_depth));
     t.air.log_low = f32::Number::of(log_low);
     t.air.log_range = f32::Number::of(log_range);
     t.air.sun_texels = sizes.sun;

@@ -60,7 +60,7 @@ Result<IrradianceEstimate> TableSky::irradiance(Length altitude, double sun_zeni
         const float h = static_cast<float>(std::min(altitude.value, air.shell.top_m));
         const auto& size = pack.tables.irradiance.size();
         const Texels sun = texels_at(f32::texture_coordinate(f32::sun_coordinate(mu_s), size[0]).value, size[0]);
-        const f32::IrradianceSpectrum diffuse = pack.tables.irradiance.at({sun, air.source_axis.at(h)});
+        const f32::IrradianceSpectrum diffuse = pack.tables.irradiance.geometric_at({sun, air.source_axis.at(h)});
         const f32::IrradianceSpectrum direct = direct_irradiance(air, pack.tables.transmittance, h, mu_s);
         for (int w = 0; w < pack.optics.wavelength_count; ++w) {
             estimate.direct_W_m2_nm.push_back(direct.v[w]);

@@ -64,7 +64,9 @@ Table<f32::Spectrum, 2> transmittance_table(const PackAir& air, int mu_size) {
                 std::max(f64::transmittance_cosine_of_coordinate(h, static_cast<double>(i) / (mu_size - 1), bottom, top).value,
                          f64::horizon_cosine(h, bottom).value + 1e-12);
             sample_ray(air.shell, {h.value, mu, 1.0, mu}, air.densities, {}, RayNodes::max_per_piece, nodes);
-            table[{i, static_cast<int>(j)}] = optical_depth_of(air, nodes.total_column_m);
+            const f32::Spectrum depth = optical_depth_of(air, nodes.total_column_m);
+            f32::Spectrum& texel = table[{i, static_cast<int>(j)}];
+            for (int w = 0; w < pack_size; ++w) texel.v[w] = std::log(std::max(depth.v[w], thinnest_depth) / thinnest_depth);
         }
     });
     return table;
@@ -81,8 +83,9 @@ f32::Spectrum sun_transmittance(const PackAir& air, const Table<f32::Spectrum, 2
     if (part == 0.0f) return zero<f32::Spectrum>();
     const f32::Number x = f32::transmittance_cosine_coordinate(h, f32::Number(std::max(mu_s, horizon)), bottom, top);
     const int size = transmittance.size()[0];
-    return exp(-transmittance.at({texels_at(f32::texture_coordinate(x, size).value, size), air.transmittance_axis.at(altitude_m)})) *
-           f32::Number(part);
+    const f32::Spectrum logarithm =
+        transmittance.at({texels_at(f32::texture_coordinate(x, size).value, size), air.transmittance_axis.at(altitude_m)});
+    return exp(exp(logarithm) * -f32::Number::of(thinnest_depth)) * f32::Number(part);
 }
 
 f32::IrradianceSpectrum direct_irradiance(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, float altitude_m, float mu_s) {

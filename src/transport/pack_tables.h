@@ -33,8 +33,8 @@ struct PackAir {
 PackAir pack_air(const AirOptics& optics, const TableSizes& sizes);
 
 struct PackTables {
-    Table<f32::Spectrum, 2> transmittance;         // [mu][altitude]: from a point to the top of the atmosphere, as optical depth:
-                                                   // between texels, light in deep haze falls exponentially, not linearly
+    Table<f32::Spectrum, 2> transmittance;         // [mu][altitude]: from a point to the top of the atmosphere: the logarithm of the
+                                                   // optical depth over thinnest_depth, 0 or more; so depths between texels are geometric
     Table<f32::RadianceSpectrum, 4> source;        // [sun][azimuth][view][altitude]: radiance scattered, by light of at least one
                                                    // scattering or reflection, per scattering coefficient (all orders summed)
     Table<f32::IrradianceSpectrum, 2> irradiance;  // [sun][altitude]: diffuse, on a level surface facing up
@@ -83,6 +83,9 @@ f32::Spectrum optical_depth_of(const PackAir& air, const float* columns_m);
 
 // Transmittance through the given columns of each part's air (relative density times length, in metres).
 f32::Spectrum transmittance_of(const PackAir& air, const float* columns_m);
+
+// Optical depths below it are held as this one.
+inline constexpr float thinnest_depth = 1e-12f;
 
 // The transmittance table of an atmosphere.
 Table<f32::Spectrum, 2> transmittance_table(const PackAir& air, int mu_size);

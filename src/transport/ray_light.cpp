@@ -26,9 +26,17 @@ f32::RadianceSpectrum light_from_ground(const PackAir& air, const Table<f32::Spe
     if (what.direct_on_ground) sum += direct_irradiance(air, transmittance, 0.0f, mu_s);
     if (what.diffuse_on_ground) {
         const auto& size = what.diffuse_on_ground->size();
-        sum += what.diffuse_on_ground->at({sun_texels(mu_s, size[0]), Texels{0, 0, 0.0f}});
+        sum += what.diffuse_on_ground->geometric_at({sun_texels(mu_s, size[0]), Texels{0, 0, 0.0f}});
     }
     return sum * air.ground_albedo * (1.0 / f32::pi * f32::per_sr);
+}
+
+// Of the sun's zenith angle, down to which its rays have grazed no dense air.
+float clear_horizon_cosine(const Shell& shell, float altitude_m) {
+    const float edge = static_cast<float>(shadow_edges.back() * shell.top_m);
+    return f32::horizon_cosine(f32::Length::of(std::max(altitude_m - edge, 0.0f)),
+                               f32::Length::of(static_cast<float>(shell.bottom_m) + edge))
+        .value;
 }
 
 }  // namespace
@@ -48,8 +56,8 @@ RayLight gather(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance
             const auto& size = what.source->size();
             const float cos_phi = f32::relative_azimuth_cosine(nodes.mu[n], nodes.mu_s[n], nu).value;
             const f32::RadianceSpectrum source =
-                what.source->at({sun_texels(nodes.mu_s[n], size[0]), azimuth_texels(cos_phi, size[1]), view_texels(nodes.mu[n], size[2]),
-                                 air.source_axis.at(nodes.altitude_m[n])});
+                what.source->geometric_at({sun_texels(nodes.mu_s[n], size[0]), azimuth_texels(cos_phi, size[1]),
+                                           view_texels(nodes.mu[n], size[2]), air.source_axis.at(nodes.altitude_m[n])});
             light.multiple += source * (weighted_sum(air.scattering, nodes.density[n], air.parts) * seen);
         }
     }
@@ -81,6 +89,7 @@ PreparedRay::PreparedRay(const PackAir& air, double altitude_m, double mu, int n
         node.distance_m = nodes.distance_m[n];
         node.inverse_radius = static_cast<float>(1.0 / (air.shell.bottom_m + node.altitude_m));
         node.horizon = f32::horizon_cosine(f32::Length::of(node.altitude_m), f32::Length::of(static_cast<float>(air.shell.bottom_m))).value;
+        node.clear_horizon = clear_horizon_cosine(air.shell, node.altitude_m);
         node.view = view_texels(node.mu, source_size[2]);
         node.altitude = air.source_axis.at(node.altitude_m);
         nodes_.push_back(node);
@@ -111,9 +120,9 @@ PreparedRay::Lit PreparedRay::lit(const PackAir& air, float mu_s, float nu) cons
     bool any = false;
     bool all = true;
     for (const Node& node : nodes_) {
-        const float above = sun_cosine(node, mu_s, nu) - node.horizon;  // at least the sine of the sun's height above the horizon
-        any = any || above > -air.sun_angular_radius;
-        all = all && above > air.sun_angular_radius;
+        const float sun = sun_cosine(node, mu_s, nu);  // its difference from a horizon's is at least the sine of its height above that
+        any = any || sun - node.horizon > -air.sun_angular_radius;
+        all = all && sun - node.clear_horizon > air.sun_angular_radius;
     }
     return all ? Lit::all : any ? Lit::part : Lit::nothing;
 }

@@ -38,7 +38,7 @@ public:
     f32::RadianceSpectrum multiple(const PackAir& air, const Table<f32::Spectrum, 2>& transmittance, const Gathered& what, float mu_s,
                                    float nu) const;
 
-    // Whether all of the ray stands in full sunlight, nothing of it does, or neither.
+    // Whether all of the ray stands in sunlight that grazed no dense air, nothing of it is lit, or neither.
     enum class Lit { all, nothing, part };
     Lit lit(const PackAir& air, float mu_s, float nu) const;
 
@@ -58,6 +58,7 @@ private:
         float distance_m;
         float inverse_radius;  // in 1/m
         float horizon;         // cosine of the zenith angle of the horizon
+        float clear_horizon;   // the same of the outermost of shadow_edges
         Texels view;           // of the source
         Texels altitude;
     };

@@ -100,12 +100,13 @@ Cuts cuts_of(const Shell& shell, const Ray& ray, const Path& path, double length
             if (x >= path.x0 && t < 0.25 * left) cuts.add(x + t);
     };
     cuts.add(0.0);
-    // The shadow is a cylinder behind the planet: its axis points from the sun, its radius is the ground's.
     const double a = 1.0 - ray.nu * ray.nu;
     const double b = path.r0 * (ray.mu - ray.mu_s * ray.nu);
-    const double c = path.h0 * (2.0 * shell.bottom_m + path.h0) - path.r0 * path.r0 * ray.mu_s * ray.mu_s;
-    const double discriminant = b * b - a * c;
-    if (a > 1e-12 && discriminant > 0.0) {
+    for (const double share : shadow_edges) {
+        const double above = share * shell.top_m;
+        const double c = (path.h0 - above) * (2.0 * shell.bottom_m + path.h0 + above) - path.r0 * path.r0 * ray.mu_s * ray.mu_s;
+        const double discriminant = b * b - a * c;
+        if (a < 1e-12 || discriminant <= 0.0) continue;
         const double root = std::sqrt(discriminant);
         for (const double t : {(-b - root) / a, (-b + root) / a})
             if (path.r0 * ray.mu_s + ray.nu * t < 0.0) cuts.add(path.x0 + t);

@@ -24,12 +24,17 @@ struct Ray {
     double limit_m = 1e300;  // where it ends, if it has not met the ground or left the air before
 };
 
-// A ray is cut at its perigee, where it enters or leaves the planet's shadow, where a density jumps, and some mean free paths after
+// The planet's shadow is a cylinder whose axis points from the sun and whose radius is the ground's. Around it lies light that has grazed
+// dense air: it rises from nothing to nearly all of the sun's within two more cylinders. Their heights above the ground, as shares of
+// that of the air.
+inline constexpr std::array<double, 3> shadow_edges = {0.0, 0.06, 0.2};
+
+// A ray is cut at its perigee, where it enters or leaves the planet's shadow and the cylinders around it, where a density jumps, and some mean free paths after
 // its start and after each jump; within a piece the nodes crowd, in altitude, quadratically towards its lower end. So neither the
 // thin haze at the ground nor the first kilometres of a horizontal ray is stepped over, which steps of equal length do.
 struct RayNodes {
     static constexpr int max_per_piece = 24;
-    static constexpr int max_pieces = 24;
+    static constexpr int max_pieces = 28;
     static constexpr int capacity = max_per_piece * max_pieces;
 
     int count = 0;

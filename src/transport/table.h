@@ -76,7 +76,36 @@ public:
         return sum;
     }
 
+    // The same, but geometric along the first dimension, for what spans decades there. Cells are 0 or more.
+    AIRLIGHT_INLINE Cell geometric_at(const std::array<Texels, D>& places) const {
+        Cell mean = slice_at(places[0].low, places);
+        const Cell high = slice_at(places[0].high, places);
+        constexpr float least = 1e-37f;
+        for (int w = 0; w < Cell::size; ++w) {
+            const float a = fast_log(mean.v[w] > least ? mean.v[w] : least), b = fast_log(high.v[w] > least ? high.v[w] : least);
+            mean.v[w] = fast_exp(a + places[0].weight * (b - a));
+        }
+        return mean;
+    }
+
 private:
+    // Linear along all dimensions but the first, of which it is the texel `first`.
+    AIRLIGHT_INLINE Cell slice_at(int first, const std::array<Texels, D>& places) const {
+        Cell sum(Cell::Scalar::of(0.0f));
+        for (unsigned corner = 0; corner < (1u << (D - 1)); ++corner) {
+            float weight = 1.0f;
+            std::array<int, D> i{first};
+            for (std::size_t d = 1; d < D; ++d) {
+                const bool high = (corner >> (d - 1)) & 1u;
+                weight *= high ? places[d].weight : 1.0f - places[d].weight;
+                i[d] = high ? places[d].high : places[d].low;
+            }
+            const Cell& cell = cells_[index(i)];
+            for (int w = 0; w < Cell::size; ++w) sum.v[w] += weight * cell.v[w];
+        }
+        return sum;
+    }
+
     std::array<int, D> size_{};
     std::vector<Cell> cells_;
 };

@@ -70,6 +70,17 @@ TEST_CASE("the exponential of spectra agrees with the library's to its stated er
     CHECK(fast_exp(0.0) == 1.0);
 }
 
+TEST_CASE("the logarithm of spectra agrees with the library's to its stated error") {
+    double worst = 0.0;
+    for (double x = -86.0; x < 88.0; x += 0.00137) {
+        const auto number = static_cast<float>(std::exp(x));
+        const double exact = std::log(static_cast<double>(number));
+        worst = std::max(worst, std::abs(static_cast<double>(fast_log(number)) - exact) / (1.0 + std::abs(exact)));
+    }
+    CHECK(worst < 2e-7);
+    CHECK(fast_log(1.0f) == 0.0f);
+}
+
 TEST_CASE("a curve is linear between its samples, and its mean is its integral over the width") {
     using C = Curve<Wavelength, Number>;
     const C curve = *C::of({{400.0 * nm, 1.0}, {500.0 * nm, 3.0}, {600.0 * nm, 1.0}});

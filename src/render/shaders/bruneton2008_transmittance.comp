@@ -22,5 +22,5 @@ void main() {
     }
     vec4 depth = vec4(0.0);
     for (int p = 0; p < air.parts; ++p) depth += air.extinction[p] * columns.of[p];
-    imageStore(depths, ivec2(i, j), depth / air.deepest_depth);
+    imageStore(depths, ivec2(i, j), log(max(depth, air.least_depth) / air.least_depth) / air.depth_range);
 }
