@@ -83,7 +83,8 @@ public:
         constexpr float least = 1e-37f;
         for (int w = 0; w < Cell::size; ++w) {
             const float a = fast_log(mean.v[w] > least ? mean.v[w] : least), b = fast_log(high.v[w] > least ? high.v[w] : least);
-            mean.v[w] = fast_exp(a + places[0].weight * (b - a));
+            const float value = fast_exp(a + places[0].weight * (b - a));
+            mean.v[w] = value > 2.0f * least ? value : 0.0f;  // between zeros it is 0
         }
         return mean;
     }
