@@ -37,25 +37,6 @@ AirRayGrid grid_of(const Tables& tables, std::span<const Vec3> colours) {
     return AirRayGrid(air, tables.packs()[0].air.densities.jumps_m(), sunlight, skylight);
 }
 
-class AirlightAir : public AirMethod {
-public:
-    AirlightAir(const Tables& tables, std::span<const Vec3> colours, gpu::Program march)
-        : march_(std::move(march)), groups_(air_wavelengths(tables, colours, nodes_per_piece)), grid_(grid_of(tables, colours)) {}
-
-    std::string shader() const override { return "air_lookup.frag"; }
-    void prepare(const AirEye& eye, gpu::PassTimers& timers) override {
-        const auto pass = timers.time("air rays");
-        grid_.march(eye, march_, [&](std::size_t group) { groups_[group].bind(); });
-    }
-    int pictures() const override { return 1; }
-    void bind(int) const override { grid_.bind(); }
-
-private:
-    gpu::Program march_;
-    std::vector<AirWavelengths> groups_;
-    AirRayGrid grid_;
-};
-
 }  // namespace
 
 Result<std::unique_ptr<AirMethod>> airlight_air(const Tables& tables, std::span<const Vec3> colours) {
@@ -63,7 +44,8 @@ Result<std::unique_ptr<AirMethod>> airlight_air(const Tables& tables, std::span<
     Result<gpu::Program> march = compute_program("air_airlight.comp");
     if (!march) return march.error();
     march->bind_block("AirlightBlock", airlight_block_binding);
-    return std::unique_ptr<AirMethod>(std::make_unique<AirlightAir>(tables, colours, *std::move(march)));
+    return std::unique_ptr<AirMethod>(std::make_unique<AirOfRays<AirWavelengths>>(
+        *std::move(march), air_wavelengths(tables, colours, nodes_per_piece), grid_of(tables, colours)));
 }
 
 }  // namespace airlight::render

@@ -148,31 +148,14 @@ Packs packs_of(const ColouredAir& air) {
     return packs;
 }
 
-class Hillaire2020Air : public AirMethod {
-public:
-    Hillaire2020Air(const ColouredAir& air, const Packs& packs, gpu::Program march)
-        : march_(std::move(march)), groups_(groups_of(packs, air.colours)), grid_(grid_of(packs, air)) {}
-
-    std::string shader() const override { return "air_lookup.frag"; }
-    void prepare(const AirEye& eye, gpu::PassTimers& timers) override {
-        const auto pass = timers.time("air rays");
-        grid_.march(eye, march_, [&](std::size_t group) { groups_[group].bind(); });
-    }
-    int pictures() const override { return 1; }
-    void bind(int) const override { grid_.bind(); }
-
-private:
-    gpu::Program march_;
-    std::vector<Group> groups_;
-    AirRayGrid grid_;
-};
-
 }  // namespace
 
 Result<std::unique_ptr<AirMethod>> hillaire2020_air(const ColouredAir& air) {
     Result<gpu::Program> march = compute_program("air_hillaire2020.comp");
     if (!march) return march.error();
-    return std::unique_ptr<AirMethod>(std::make_unique<Hillaire2020Air>(air, packs_of(air), *std::move(march)));
+    const Packs packs = packs_of(air);
+    return std::unique_ptr<AirMethod>(
+        std::make_unique<AirOfRays<Group>>(*std::move(march), groups_of(packs, air.colours), grid_of(packs, air)));
 }
 
 }  // namespace airlight::render

@@ -5,6 +5,8 @@
 
 #include <functional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -52,6 +54,28 @@ private:
     gpu::Buffer rays_, ways_;
     std::vector<gpu::Buffer> shares_;  // of each group
     gpu::Texture smooth_, peaked_, extinction_, once_;
+};
+
+// A method of air that gathers the light of such rays by its own program. `Group`: what the program reads for four wavelengths, which it
+// binds by bind().
+template <class Group>
+class AirOfRays : public AirMethod {
+public:
+    AirOfRays(gpu::Program march, std::vector<Group> groups, AirRayGrid grid)
+        : march_(std::move(march)), groups_(std::move(groups)), grid_(std::move(grid)) {}
+
+    std::string shader() const override { return "air_lookup.frag"; }
+    void prepare(const AirEye& eye, gpu::PassTimers& timers) override {
+        const auto pass = timers.time("air rays");
+        grid_.march(eye, march_, [&](std::size_t group) { groups_[group].bind(); });
+    }
+    int pictures() const override { return 1; }
+    void bind(int) const override { grid_.bind(); }
+
+private:
+    gpu::Program march_;
+    std::vector<Group> groups_;
+    AirRayGrid grid_;
 };
 
 }  // namespace airlight::render

@@ -6,20 +6,11 @@ vec3 marched;
 float marched_from;
 Passing passing_at(float distance_m);
 #define AIRLIGHT_PASSING passing_at
-#include "air_wavelengths.glsl"
-#define AirLight vec4
+#include "air_spectral.glsl"
 
 Passing passing_at(float distance_m) {
     return light_passing(marched * (marched_from + distance_m), darkening_of_wavelength[0], darkening_of_wavelength[1]);
 }
-
-struct AirSeen {
-    AirLight inscattered;
-    AirLight transmittance;
-    AirLight once;
-};
-
-vec3 colour_through(vec3 colour, AirLight seen) { return colour * colour_of(air.solar_irradiance * seen) / colour_of_sun.rgb; }
 
 RadianceSpectrum scattered_once(AirlightLight light, float angle) {
     RadianceSpectrum sum = Spectrum(0.0);
@@ -40,7 +31,5 @@ AirSeen air_seen(vec3 direction, float distance_m) {
     RadianceSpectrum once = scattered_once(light, angle_between(direction, towards_sun.xyz));
     return AirSeen(once + light.multiple, light.transmittance, once);
 }
-
-AirLight air_sunlight(float h, float mu_s) { return air.solar_irradiance * airlight_sunlight(transmittance, min(h, air.top), mu_s); }
 
 AirLight air_skylight(float mu_s) { return air.solar_irradiance * airlight_diffuse(diffuse, mu_s); }

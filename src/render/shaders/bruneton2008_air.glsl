@@ -1,6 +1,6 @@
 // A method of air (docs/decisions/0010-air-methods.md): the tables of bruneton2008, four wavelengths at a time.
 #include "air_view.glsl"
-#include "air_wavelengths.glsl"
+#include "air_spectral.glsl"
 #include "physics/models/bruneton2008.glsl"
 layout(binding = 13) uniform sampler3D scattering;  // [table and altitude][view][nu and sun]
 layout(std140, binding = 4) uniform Bruneton2008Block {
@@ -9,16 +9,6 @@ layout(std140, binding = 4) uniform Bruneton2008Block {
     int twilight;
     ivec4 part_of[2];
 };
-
-#define AirLight vec4
-
-struct AirSeen {
-    AirLight inscattered;
-    AirLight transmittance;
-    AirLight once;
-};
-
-vec3 colour_through(vec3 colour, AirLight seen) { return colour * colour_of(air.solar_irradiance * seen) / colour_of_sun.rgb; }
 
 // Transmittance of the first part of a ray, which is within the air. By the columns of air on it: the quotient of two look-ups loses what is before
 // near surfaces beside the horizon.
@@ -82,8 +72,6 @@ AirSeen air_seen(vec3 direction, float distance_m) {
     vec4 all = max(light.all - seen * beyond.all, vec4(0.0));
     return AirSeen(all, seen, clamp(light.once - seen * beyond.once, vec4(0.0), all));
 }
-
-AirLight air_sunlight(float h, float mu_s) { return air.solar_irradiance * airlight_sunlight(transmittance, min(h, air.top), mu_s); }
 
 // `diffuse` has a row for each altitude, of which the first is the ground.
 AirLight air_skylight(float mu_s) {
