@@ -5,24 +5,6 @@
 
 namespace airlight {
 
-namespace {
-
-// Along one axis: the cap's directions have cosines between these, and radii scale them.
-Interval along(double cosine, double angle, Interval radii) {
-    const double middle = std::acos(std::clamp(cosine, -1.0, 1.0));
-    const double high = std::cos(std::max(0.0, middle - angle)), low = std::cos(std::min(pi, middle + angle));
-    return {low * (low < 0.0 ? radii.high : radii.low), high * (high < 0.0 ? radii.low : radii.high)};
-}
-
-// Whether all of a box is on the outer side of a plane: its p-vertex is.
-bool behind(const Box& box, Vec3 inward, Vec3 through) {
-    const Vec3 p(inward.x >= 0.0 ? box.high.x : box.low.x, inward.y >= 0.0 ? box.high.y : box.low.y,
-                 inward.z >= 0.0 ? box.high.z : box.low.z);
-    return glm::dot(inward, p - through) < 0.0;
-}
-
-}  // namespace
-
 NodeBounds bounds_of(const Node& node, const HeightField& field) {
     const Cap cap = cap_of(node);
     Interval heights = field.range(cap);
@@ -39,18 +21,21 @@ double distance_to(const NodeBounds& b, Vec3 point) {
     return std::sqrt((r - nearest) * (r - nearest) + 4.0 * r * nearest * half_sine * half_sine);
 }
 
-Box box_of(const NodeBounds& b) {
-    const Interval x = along(b.cap.centre.x, b.cap.angle, b.radii_m), y = along(b.cap.centre.y, b.cap.angle, b.radii_m),
-                   z = along(b.cap.centre.z, b.cap.angle, b.radii_m);
-    return {{x.low, y.low, z.low}, {x.high, y.high, z.high}};
+double farthest_along(const NodeBounds& b, Vec3 direction) {
+    // The cosine between the direction and the nearest to it of the cap's.
+    const double cosine = glm::dot(direction, b.cap.centre), sine = glm::length(glm::cross(direction, b.cap.centre));
+    const double cap_cosine = std::cos(b.cap.angle), cap_sine = std::sin(b.cap.angle);
+    const double nearest = cosine >= cap_cosine || b.cap.angle >= pi ? 1.0 : cosine * cap_cosine + sine * cap_sine;
+    return nearest * (nearest < 0.0 ? b.radii_m.low : b.radii_m.high);
 }
 
-bool outside(const Box& box, Vec3 eye, const Frustum& frustum) {
-    return std::any_of(frustum.begin(), frustum.end(), [&](Vec3 normal) { return behind(box, normal, eye); });
+bool outside(const NodeBounds& b, Vec3 eye, const Frustum& frustum) {
+    return std::any_of(frustum.begin(), frustum.end(), [&](Vec3 inward) { return farthest_along(b, inward) < glm::dot(inward, eye); });
 }
 
-bool outside(const Box& box, std::span<const HalfSpace> within) {
-    return std::any_of(within.begin(), within.end(), [&](const HalfSpace& h) { return behind(box, h.inward, h.through); });
+bool outside(const NodeBounds& b, std::span<const HalfSpace> within) {
+    return std::any_of(within.begin(), within.end(),
+                       [&](const HalfSpace& h) { return farthest_along(b, h.inward) < glm::dot(h.inward, h.through); });
 }
 
 bool below_horizon(const NodeBounds& b, Vec3 eye, double solid_m) {

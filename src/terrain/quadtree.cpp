@@ -48,7 +48,7 @@ Selection Quadtree::select(const Camera& camera, Culling culling) {
         select(
             {face, 0, 0, 0}, camera.eye, reach_.deepest,
             [&](const NodeBounds& b) {
-                return (culling.frustum && outside(box_of(b), camera.eye, planes)) ||
+                return (culling.frustum && outside(b, camera.eye, planes)) ||
                        (culling.horizon && below_horizon(b, camera.eye, solid));
             },
             selection);
@@ -59,7 +59,7 @@ Selection Quadtree::select(Vec3 eye, std::span<const HalfSpace> within, int fine
     Selection selection;
     for (int face = 0; face < cube_faces; ++face)
         select(
-            {face, 0, 0, 0}, eye, std::min(finest, reach_.deepest), [&](const NodeBounds& b) { return outside(box_of(b), within); },
+            {face, 0, 0, 0}, eye, std::min(finest, reach_.deepest), [&](const NodeBounds& b) { return outside(b, within); },
             selection);
     return selection;
 }

@@ -295,6 +295,11 @@ Interval Raster::range(Interval latitudes, Interval longitudes) const {
 
 double Raster::pixel() const { return content_->grid.row_step; }
 
+double Raster::narrowest_pixel(double latitude) const {
+    const Grid& g = content_->grid;
+    return std::min(g.row_step, g.column_step * std::max(std::cos(latitude), 0.0));
+}
+
 std::size_t Raster::bytes() const {
     const std::shared_lock lock(content_->mutex);
     return content_->present.size() * sizeof(float) * block_side * block_side;

@@ -33,6 +33,8 @@ public:
 
     // Between pixels along a meridian, in radians.
     double pixel() const;
+    // The same, or along a parallel of that latitude if that is less.
+    double narrowest_pixel(double latitude) const;
 
     std::size_t bytes() const;  // of blocks in memory
     // Fails if a block could not be read since it was opened; its heights count as 0 m.

@@ -39,13 +39,14 @@ public:
 
     Interval range(const Cap& cap) const {
         const GeographicRange at = geographic_range(cap);
-        const Interval base = raster_->range(at.latitudes, at.longitudes), other = outside_.range(cap);
-        const double share = share_at(std::max(std::abs(base.low), std::abs(base.high)));
-        const Interval noise = noise_relief_range(detail_, relief_.radius_m, cap);
-        const Interval inside = {base.low + share * std::min(0.0, noise.low), base.high + share * std::max(0.0, noise.high)};
-        const bool everywhere = raster_->presence(at.latitudes.low, at.longitudes.low) == 1.0 && raster_->presence(0.0, pi) == 1.0 &&
-                                raster_->presence(pi / 2, 0.0) == 1.0 && raster_->presence(-pi / 2, 0.0) == 1.0;
-        if (everywhere) return inside;
+        const Interval base = base_range(cap, at), noise = noise_relief_range(detail_, relief_.radius_m, cap);
+        const double low = share_at(base.low), high = share_at(base.high);
+        const double least = base.low < 0.0 && base.high > 0.0 ? share_at(0.0) : std::min(low, high);
+        const Interval shares = {least, std::max(low, high)};
+        const Interval inside = {base.low + std::min(shares.low * noise.low, shares.high * noise.low),
+                                 base.high + std::max(shares.low * noise.high, shares.high * noise.high)};
+        if (all_within(at)) return inside;
+        const Interval other = outside_.range(cap);
         return {std::min(inside.low, other.low), std::max(inside.high, other.high)};
     }
 
@@ -56,8 +57,34 @@ public:
     }
 
 private:
+    // Of the detail at a height; nowhere less than at 0 m, and growing from there.
     double share_at(double height_m) const {
-        return relief_.detail_least + (1.0 - relief_.detail_least) * smooth_step(height_m / relief_.detail_full_at_m);
+        const double high = smooth_step(height_m / relief_.detail_full_at_m);
+        return (relief_.detail_least + (1.0 - relief_.detail_least) * high) *
+               (relief_.sea ? smooth_step(std::abs(height_m) / relief_.detail_shore_m) : 1.0);
+    }
+
+    // Whether all of a place lies within the raster, beside its edges, which are eight pixels wide: a narrower place between them does if its
+    // corners do.
+    bool all_within(const GeographicRange& at) const {
+        const bool everywhere =
+            raster_->presence(0.0, pi) == 1.0 && raster_->presence(pi / 2, 0.0) == 1.0 && raster_->presence(-pi / 2, 0.0) == 1.0;
+        const bool narrow = at.longitudes.high - at.longitudes.low < 8.0 * raster_->narrowest_pixel(0.0);
+        const auto present = [&](double latitude, double longitude) { return raster_->presence(latitude, longitude) == 1.0; };
+        return everywhere || (narrow && present(at.latitudes.low, at.longitudes.low) && present(at.latitudes.low, at.longitudes.high) &&
+                              present(at.latitudes.high, at.longitudes.low) && present(at.latitudes.high, at.longitudes.high));
+    }
+
+    // Of the raster's heights, which within a cap narrower than a pixel change by less than from one pixel to the next: a cubic through pixels
+    // of some range has at most 1.5 times it as its slope, by 1.25 for the weights across, along each of two axes.
+    Interval base_range(const Cap& cap, const GeographicRange& at) const {
+        constexpr double steepest = 1.5 * 1.25 * 1.4143;
+        const Interval around = raster_->range(at.latitudes, at.longitudes);
+        const double pixel = raster_->narrowest_pixel(std::max(std::abs(at.latitudes.low), std::abs(at.latitudes.high)));
+        if (2.0 * steepest * cap.angle >= pixel) return around;
+        const double change = steepest * (around.high - around.low) * cap.angle / pixel;
+        const double middle = raster_->height_m(latitude_of(cap.centre), longitude_of(cap.centre));
+        return {std::max(around.low, middle - change), std::min(around.high, middle + change)};
     }
 
     // What changes slowly: the raster's height, or what is outside of it, and the share of detail.
@@ -72,7 +99,7 @@ private:
         const double latitude = latitude_of(d), longitude = longitude_of(d), presence = raster_->presence(latitude, longitude);
         if (presence == 0.0) return {outside_.sample(d, 1.0).height_m, 0.0};
         const double height = raster_->height_m(latitude, longitude);
-        const double share = share_at(height) * (relief_.sea ? smooth_step(std::abs(height) / relief_.detail_shore_m) : 1.0);
+        const double share = share_at(height);
         if (presence == 1.0) return {height, share};
         return {glm::mix(outside_.sample(d, 1.0).height_m, height, presence), presence * share};
     }

@@ -176,14 +176,14 @@ TEST_CASE("a direction lies in the node that says so, and children fill their pa
     }
 }
 
-TEST_CASE("all of a node's ground lies within its bounds, its box, and no nearer than they say") {
+TEST_CASE("all of a node's ground lies within its bounds, and neither nearer nor farther than they say") {
     const HeightField field = procedural_height({});
     std::mt19937_64 random(seed);
     for (int n = 0; n < 300; ++n) {
         const Vec3 d = random_direction(random);
         const Node node = node_of(d, static_cast<int>(random() % 20));
         const NodeBounds bounds = bounds_of(node, field);
-        const Box box = box_of(bounds);
+        const Vec3 along = random_direction(random);
         const Vec3 eye =
             random_direction(random) * (bounds.radii_m.high + std::exp(std::uniform_real_distribution<double>(0.0, 17.0)(random)));
         const Tile tile = build_tile(node, field);
@@ -193,9 +193,15 @@ TEST_CASE("all of a node's ground lies within its bounds, its box, and no nearer
             CHECK((r >= bounds.radii_m.low - rounding && r <= bounds.radii_m.high + rounding));
             CHECK(angle_between(p / r, bounds.cap.centre) <= bounds.cap.angle + 1e-15);
             CHECK(distance_to(bounds, eye) <= glm::length(p - eye) + rounding);
-            for (int c = 0; c < 3; ++c) CHECK((p[c] >= box.low[c] - rounding && p[c] <= box.high[c] + rounding));
+            CHECK(glm::dot(p, along) <= farthest_along(bounds, along) + rounding);
         }
         CHECK(distance_to(bounds, bounds.cap.centre * bounds.radii_m.low) < 1e-8);
+        // One of the bounds' own points is as far: on the rim of the cap, or in the direction itself.
+        const Vec3 beside = glm::normalize(along - bounds.cap.centre * glm::dot(bounds.cap.centre, along));
+        const Vec3 rim = bounds.cap.centre * std::cos(bounds.cap.angle) + beside * std::sin(bounds.cap.angle);
+        const Vec3 nearest = angle_between(along, bounds.cap.centre) <= bounds.cap.angle ? along : rim;
+        CHECK(farthest_along(bounds, along) ==
+              doctest::Approx(std::max(glm::dot(nearest, along) * bounds.radii_m.low, glm::dot(nearest, along) * bounds.radii_m.high)));
     }
 }
 
