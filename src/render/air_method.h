@@ -8,6 +8,7 @@
 
 #include "atmosphere/atmosphere.h"
 #include "gpu/pass_timers.h"
+#include "render/air_eye.h"
 #include "units/vector.h"
 
 namespace airlight::render {
@@ -18,12 +19,6 @@ struct ColouredAir {
     const Atmosphere& atmosphere;
     std::span<const Wavelength> wavelengths;
     std::span<const Vec3> colours;
-};
-
-// An eye over the ground sphere and its sun.
-struct AirEye {
-    double altitude_m;
-    double mu_s;  // cosine of the sun's zenith angle
 };
 
 // Bindings that a method may use, and of the block of physics/models/airlight_air.glsl.

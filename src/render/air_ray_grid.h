@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -57,7 +58,7 @@ private:
 };
 
 // A method of air that gathers the light of such rays by its own program. `Group`: what the program reads for four wavelengths, which it
-// binds by bind().
+// binds by bind(). What is gathered stays as long as the settled eye does.
 template <class Group>
 class AirOfRays : public AirMethod {
 public:
@@ -67,7 +68,10 @@ public:
     std::string shader() const override { return "air_lookup.frag"; }
     void prepare(const AirEye& eye, gpu::PassTimers& timers) override {
         const auto pass = timers.time("air rays");
-        grid_.march(eye, march_, [&](std::size_t group) { groups_[group].bind(); });
+        if (const AirEye at = settled(eye); gathered_ != at) {
+            grid_.march(at, march_, [&](std::size_t group) { groups_[group].bind(); });
+            gathered_ = at;
+        }
     }
     int pictures() const override { return 1; }
     void bind(int) const override { grid_.bind(); }
@@ -76,6 +80,7 @@ private:
     gpu::Program march_;
     std::vector<Group> groups_;
     AirRayGrid grid_;
+    std::optional<AirEye> gathered_;
 };
 
 }  // namespace airlight::render

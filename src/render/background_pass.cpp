@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "celestial/refraction.h"
 #include "render/shaders.h"
 #include "spectrum/colour.h"
 
@@ -41,13 +40,13 @@ std::vector<Four> light_of(std::span<const Star> stars) {
     return light;
 }
 
-// Without air nothing bends, and the lowest ray is that of the caller's planet: what it hides is hidden by its surface.
-BendingTable bending_of(const Atmosphere* air, double radius_m) {
+}  // namespace
+
+// Without air the lowest ray is that of the caller's planet: what it hides is hidden by its surface.
+BendingTable bending_to(const Atmosphere* air, double radius_m) {
     if (!air) return {-0.5 * pi, std::vector<double>(2, 0.0)};
     return bending_table(*air, std::max(radius_m - air->bottom_radius.in(m), 0.0) * m, bending_places);
 }
-
-}  // namespace
 
 Result<BackgroundPass> BackgroundPass::create(int width, int height, std::span<const Star> stars) {
     Result<gpu::Program> disks = program("fullscreen.vert", "background.frag");
@@ -73,12 +72,10 @@ BackgroundPass::BackgroundPass(gpu::Program disks, gpu::Program points, gpu::Tex
       star_count_(count),
       block_(sizeof(Block)) {}
 
-void BackgroundPass::draw(const Camera& camera, const Heavens& heavens, const Atmosphere* air) {
-    const double radius_m = glm::length(camera.eye);
-    const BendingTable bending = bending_of(air, radius_m);
+void BackgroundPass::draw(const Camera& camera, const Heavens& heavens, const BendingTable& bending) {
     const std::array<RgbLight, 3> sun = sun_radiance(heavens);
     const std::optional<MoonSeen> moon = moon_seen(heavens, camera.eye);
-    Block block{.eye_up = four(camera.eye / radius_m, bending.horizon),
+    Block block{.eye_up = four(glm::normalize(camera.eye), bending.horizon),
                 .towards_sun = four(heavens.towards_sun, sun_radius(heavens)),
                 .sun_radiance = {four(sun[0]), four(sun[1]), four(sun[2])},
                 .towards_moon = {},

@@ -10,6 +10,7 @@
 
 #include "atmosphere/atmosphere.h"
 #include "camera/camera.h"
+#include "celestial/refraction.h"
 #include "celestial/stars.h"
 #include "gpu/buffer.h"
 #include "gpu/framebuffer.h"
@@ -20,13 +21,16 @@
 
 namespace airlight::render {
 
+// How air bends the rays to an eye at a distance from the planet's centre; without air, they are straight.
+BendingTable bending_to(const Atmosphere* air, double radius_m);
+
 class BackgroundPass {
 public:
     // For pictures of this size. `stars` never set, where the planet's axes are the Earth's.
     static Result<BackgroundPass> create(int width, int height, std::span<const Star> stars);
 
-    // Draws into radiance(); `air` bends, if there is any. A CameraBlock of the same camera is bound.
-    void draw(const Camera& camera, const Heavens& heavens, const Atmosphere* air);
+    // Draws into radiance(). A CameraBlock of the same camera is bound.
+    void draw(const Camera& camera, const Heavens& heavens, const BendingTable& bending);
 
     // cd m-2 of the primaries of sRGB, of each pixel.
     const gpu::Texture& radiance() const { return radiance_; }

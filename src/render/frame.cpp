@@ -81,7 +81,7 @@ Result<Done> Frame::render(const Camera& camera, const Lights& lights) {
     const Heavens heavens{lights.towards_sun, lights.sun_distance_au, lights.moon_m};
     {
         const auto pass = timers_.time("background");
-        background_.draw(camera, heavens, air_ ? &air_->atmosphere() : nullptr);
+        background_.draw(camera, heavens, bending(camera));
     }
     if (air_) draw_air(camera, heavens);
     else {
@@ -92,6 +92,14 @@ Result<Done> Frame::render(const Camera& camera, const Lights& lights) {
     }
     times_ = timers_.read();
     return context_->check();
+}
+
+const BendingTable& Frame::bending(const Camera& camera) {
+    const Atmosphere* air = air_ ? &air_->atmosphere() : nullptr;
+    const double bottom_m = air ? air->bottom_radius.in(m) : 0.0;
+    const double radius_m = bottom_m + settled({glm::length(camera.eye) - bottom_m, 0.0}).altitude_m;
+    if (!bending_ || bending_->radius_m != radius_m) bending_ = Bending{radius_m, bending_to(air, radius_m)};
+    return bending_->table;
 }
 
 void Frame::draw_shade(const Camera& camera, Vec3 towards_sun) {

@@ -36,7 +36,10 @@ public:
     Image image() const;
 
     // The next pictures have this air, and these shadows; those of before come back.
-    std::optional<AirPass> exchange_air(std::optional<AirPass> air) { return std::exchange(air_, std::move(air)); }
+    std::optional<AirPass> exchange_air(std::optional<AirPass> air) {
+        bending_.reset();
+        return std::exchange(air_, std::move(air));
+    }
     std::optional<ShaftsPass> exchange_shafts(std::optional<ShaftsPass> shafts) { return std::exchange(shafts_, std::move(shafts)); }
 
     // Of the last picture.
@@ -48,6 +51,7 @@ private:
           std::optional<ShaftsPass> shafts, BackgroundPass background, GeometryBuffer surfaces, gpu::Texture radiance,
           gpu::Framebuffer target);
 
+    const BendingTable& bending(const Camera& camera);
     void draw_shade(const Camera& camera, Vec3 towards_sun);
     void draw_air(const Camera& camera, const Heavens& heavens);
 
@@ -59,6 +63,11 @@ private:
     ShadowPass shadows_;
     std::optional<ShaftsPass> shafts_;
     BackgroundPass background_;
+    struct Bending {
+        double radius_m;
+        BendingTable table;
+    };
+    std::optional<Bending> bending_;  // of air_, for the settled eye of the last picture
     GeometryBuffer surfaces_;
     gpu::Texture radiance_;
     gpu::Framebuffer target_;

@@ -66,7 +66,7 @@ Picture draw(const Camera& camera, const Heavens& heavens, std::span<const Star>
     if (!pass) FAIL(pass.error().message());
     const CameraBlock block;
     block.bind(camera);
-    pass->draw(camera, heavens, air);
+    pass->draw(camera, heavens, bending_to(air, glm::length(camera.eye)));
     Picture picture{camera, std::vector<float>(static_cast<std::size_t>(4 * camera.width * camera.height))};
     pass->radiance().read(picture.pixels);
     return picture;

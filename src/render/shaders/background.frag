@@ -27,8 +27,13 @@ vec3 moon_at(vec3 direction) {
     return moon_dark.rgb + (mu_0 > 0.0 ? moon_lit.rgb * (2.0 * mu_0 / (mu_0 + mu)) : vec3(0.0));
 }
 
+// Whether a disk may be seen within some of its radii from a direction, however air bends (by 0.02 at most) and pixels are wide.
+bool may_be_near(vec3 apparent, vec4 disk, float radii) { return dot(apparent, disk.xyz) > cos(radii * disk.w + 0.03 + 2.0 * pixel.x); }
+
 void main() {
     vec3 apparent = normalize(view_ray(place));
+    radiance = vec4(0.0, 0.0, 0.0, 1.0);
+    if (!may_be_near(apparent, towards_sun, 20.0) && !may_be_near(apparent, towards_moon, 1.0)) return;
     float elevation = elevation_of(apparent);
     vec3 direction = raised(apparent, -bending_at(elevation));
     float from_sun = angle_between(direction, towards_sun.xyz), from_moon = angle_between(direction, towards_moon.xyz);
@@ -40,5 +45,5 @@ void main() {
         float part = covered(from_moon, towards_moon.w, moon_width);
         if (part > 0.0) sum = mix(sum, moon_at(direction), part);
     }
-    radiance = vec4(sum, 1.0);
+    radiance.rgb = sum;
 }
