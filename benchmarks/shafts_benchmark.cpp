@@ -90,7 +90,7 @@ void shafts(benchmark::State& state, Shafts method) {
     gpu::PassTimers timers;
     view->prepare(scene.camera, scene.sun, timers);
     const auto draw = [&] {
-        pass->draw(*scene.surfaces, *scene.shadows, scene.camera, scene.sun);
+        pass->draw(*scene.surfaces, *scene.shadows, scene.camera);
         glFinish();
     };
     draw();

@@ -108,7 +108,7 @@ void Frame::draw_shade(const Camera& camera, Vec3 towards_sun) {
         shadows_.draw(terrain_, camera, towards_sun);
     }
     const auto pass = timers_.time("shafts");
-    shafts_->draw(surfaces_, shadows_, camera, towards_sun);
+    shafts_->draw(surfaces_, shadows_, camera);
 }
 
 void Frame::draw_air(const Camera& camera, const Heavens& heavens) {

@@ -10,7 +10,7 @@ namespace airlight::render {
 namespace {
 
 constexpr double first_m = 64.0, ratio = 4.0;
-// Of a filter's reach, and of the step to a whole texel: on each side of the square.
+// Of a filter's reach: on each side of the square.
 constexpr int margin_texels = 4;
 
 // The smallest ball about a point of the view's axis that holds what lies between two distances from the eye and within `angle` of it.
@@ -30,24 +30,30 @@ Interval ground_radii(const HeightField& field) {
     return {field.radius_m + least, field.radius_m + std::max(least, field.whole.high)};
 }
 
-Cascade cascade_of(double from_m, double to_m, const Camera& camera, const LightAxes& axes, double caster_m, int texels) {
+double nearest_multiple(double x, double step) { return std::round(x / step) * step; }
+Vec3 nearest_multiple(Vec3 x, double step) {
+    return {nearest_multiple(x.x, step), nearest_multiple(x.y, step), nearest_multiple(x.z, step)};
+}
+
+Cascade cascade_of(int level, double to_m, const Camera& camera, const LightAxes& axes, double caster_m, int texels) {
+    const double from_m = level == 0 ? 0.0 : to_m / ratio;
     const HalfSize half = half_size(camera);
     const Ball ball = ball_of(from_m, to_m, std::atan(std::hypot(half.width, half.height)));
-    const double texel = 2.0 * ball.radius_m / (texels - 2 * margin_texels);
-    const Vec3 middle = ball.along_m * camera.forward;
-    // The square's corner is a whole number of texels from the planet's centre.
-    const auto whole = [&](Vec3 axis) {
-        const double eye = glm::dot(camera.eye, axis);
-        return std::floor((eye + glm::dot(middle, axis)) / texel) * texel - eye;
-    };
-    const double along = glm::dot(middle, axes.towards_sun);
-    return {from_m,
+    const int texels_of_step = texels / 9;
+    const double texel = 2.0 * ball.radius_m / (texels - 2 * margin_texels - texels_of_step), step = texels_of_step * texel;
+    const Vec3 middle = camera.eye + ball.along_m * camera.forward;
+    const Vec3 centre =
+        nearest_multiple(Vec3(glm::dot(middle, axes.right), glm::dot(middle, axes.up), glm::dot(middle, axes.towards_sun)), step);
+    const double reach = ball.radius_m + 0.5 * step;
+    return {level,
+            from_m,
             to_m,
-            {whole(axes.right), whole(axes.up), along},
+            nearest_multiple(camera.eye, to_m / 32.0),
+            centre,
             0.5 * texels * texel,
             texel,
-            along - ball.radius_m - texel,
-            along + ball.radius_m + caster_m};
+            centre.z - reach - texel,
+            centre.z + reach + caster_m};
 }
 
 }  // namespace
@@ -58,6 +64,8 @@ LightAxes light_axes(Vec3 towards_sun) {
     return {right, glm::cross(towards_sun, right), towards_sun};
 }
 
+Vec3 settled_sun(Vec3 towards_sun) { return glm::normalize(nearest_multiple(towards_sun, 1e-4)); }
+
 std::vector<Cascade> cascades(const Camera& camera, const LightAxes& axes, const HeightField& field, int texels) {
     const double r = glm::length(camera.eye);
     const Interval ground = ground_radii(field);
@@ -66,20 +74,16 @@ std::vector<Cascade> cascades(const Camera& camera, const LightAxes& axes, const
     // The longest way of light over the ground, from peak to peak.
     const double caster = 2.0 * tangent_m(ground.high, ground.low);
     std::vector<Cascade> all;
-    double from = 0.0;
-    for (double to = first_m; from < farthest && static_cast<int>(all.size()) < most_cascades; from = to, to *= ratio)
-        if (to > nearest) all.push_back(cascade_of(from, to, camera, axes, caster, texels));
+    double to = first_m;
+    for (int level = 0; (level == 0 || to / ratio < farthest) && static_cast<int>(all.size()) < most_cascades; ++level, to *= ratio)
+        if (to > nearest) all.push_back(cascade_of(level, to, camera, axes, caster, texels));
     return all;
 }
 
-std::vector<HalfSpace> casters_within(const Cascade& c, const Camera& camera, const LightAxes& axes) {
-    std::vector<HalfSpace> within;
-    for (const auto& [axis, middle] : {std::pair{axes.right, c.centre.x}, {axes.up, c.centre.y}})
-        for (const double side : {1.0, -1.0}) within.push_back({side * axis, camera.eye + (middle - side * c.half_width_m) * axis});
-    within.push_back({axes.towards_sun, camera.eye + c.lowest_m * axes.towards_sun});
-    for (const Vec3& inward : frustum(camera))
-        if (glm::dot(inward, axes.towards_sun) >= 0.0) within.push_back({inward, camera.eye});
-    return within;
+std::array<HalfSpace, 5> casters_within(const Cascade& c, const LightAxes& axes) {
+    const auto from = [](Vec3 axis, double least) { return HalfSpace{axis, axis * least}; };
+    return {from(axes.right, c.centre.x - c.half_width_m), from(-axes.right, -c.centre.x - c.half_width_m),
+            from(axes.up, c.centre.y - c.half_width_m), from(-axes.up, -c.centre.y - c.half_width_m), from(axes.towards_sun, c.lowest_m)};
 }
 
 int finest_level(const Cascade& c, double radius_m) {

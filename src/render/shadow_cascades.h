@@ -2,6 +2,7 @@
 // [Engel2006; Valient2008]. docs/decisions/0013-shadows.md. Uses camera and terrain; knows no GPU.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "camera/camera.h"
@@ -15,13 +16,21 @@ struct LightAxes {
 };
 LightAxes light_axes(Vec3 towards_sun);
 
-// A square of texels across the light, and a range of heights along it.
+// The sun as shadow maps know it: one of those directions that are 1e-4 apart along each axis of the world, the nearest.
+Vec3 settled_sun(Vec3 towards_sun);
+
+// A square of texels across the light, and a range of heights along it; from the planet's centre, along the light's axes. What a map of it
+// shows depends on it and the light alone.
 struct Cascade {
+    int level;            // which of the ranges of distances, counted from the nearest
     double from_m, to_m;  // distances from the eye whose points within the camera's view it holds
-    Vec3 centre;          // of the square, and of those points; along the light's axes, relative to the eye
+    Vec3 eye;             // near the camera's, along the axes of the world: its ground is as fine as that eye sees it
+    Vec3 centre;          // of the square, and of those points
     double half_width_m;  // of the square
     double texel_m;
-    double lowest_m, highest_m;  // along the light, relative to the eye: all of those points, and all ground between them and the sun
+    double lowest_m, highest_m;  // along the light: all of those points, and all ground between them and the sun
+
+    friend bool operator==(const Cascade&, const Cascade&) = default;
 };
 
 inline constexpr int most_cascades = 8;
@@ -30,12 +39,12 @@ inline constexpr int most_cascades = 8;
 //   field    of the ground that casts the shadows
 //   texels   along a square's side
 // Cascades begin with the nearest in which there may be ground and end with the farthest; at most most_cascades, none if there is none.
-// A square's corner falls on a whole texel of the world.
+// A square stands at one of those places that are an eighth of its width apart, and its eye at one of those a 32nd of its farthest distance
+// apart: so that they stay while the camera moves less.
 std::vector<Cascade> cascades(const Camera& camera, const LightAxes& axes, const HeightField& field, int texels);
 
-// What may shade a point of a cascade that the camera sees: the column of its square, and those planes of the view whose inner side holds
-// all that lies towards the sun.
-std::vector<HalfSpace> casters_within(const Cascade& cascade, const Camera& camera, const LightAxes& axes);
+// What may shade a point of a cascade: the column of its square, from its least height on.
+std::array<HalfSpace, 5> casters_within(const Cascade& cascade, const LightAxes& axes);
 
 // The deepest level of patches that a cascade's texels can tell from the next.
 int finest_level(const Cascade& cascade, double radius_m);

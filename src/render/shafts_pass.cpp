@@ -102,8 +102,8 @@ ShaftsPass::ShaftsPass(gpu::Program program, gpu::Texture shade, gpu::Framebuffe
       table_(std::move(table)),
       slices_(std::move(slices)) {}
 
-void ShaftsPass::draw_slices(const ShadowPass& shadows, const Camera& camera, Vec3 towards_sun) const {
-    const Interval angles = angles_about_light(camera, light_axes(towards_sun));
+void ShaftsPass::draw_slices(const ShadowPass& shadows, const Camera& camera) const {
+    const Interval angles = angles_about_light(camera, shadows.axes());
     const double reach = shadows.cascades().empty() ? 1.0 : shadows.cascades().back().to_m;
     const SlicesBlock block{
         {static_cast<float>(angles.low), static_cast<float>((angles.high - angles.low) / slice_count), static_cast<float>(reach), 0.0f},
@@ -119,7 +119,7 @@ void ShaftsPass::draw_slices(const ShadowPass& shadows, const Camera& camera, Ve
     slices_->spans.bind_sampler(spans_binding);
 }
 
-void ShaftsPass::draw(const GeometryBuffer& surfaces, const ShadowPass& shadows, const Camera& camera, Vec3 towards_sun) const {
+void ShaftsPass::draw(const GeometryBuffer& surfaces, const ShadowPass& shadows, const Camera& camera) const {
     shadows.bind();
     if (air_) air_->bind();
     if (table_) {
@@ -129,7 +129,7 @@ void ShaftsPass::draw(const GeometryBuffer& surfaces, const ShadowPass& shadows,
         table_->even.bind_sampler(even_binding);
         table_->peaked.bind_sampler(peaked_binding);
     }
-    if (slices_) draw_slices(shadows, camera, towards_sun);
+    if (slices_) draw_slices(shadows, camera);
     surfaces.depth().bind_sampler(0);
     target_.bind();
     program_.use();

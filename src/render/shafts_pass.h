@@ -24,7 +24,7 @@ public:
 
     // Draws into a texture of its own. The shadows are those of `camera`, whose CameraBlock is bound; with air, AirPass::prepare() has
     // been called for both.
-    void draw(const GeometryBuffer& surfaces, const ShadowPass& shadows, const Camera& camera, Vec3 towards_sun) const;
+    void draw(const GeometryBuffer& surfaces, const ShadowPass& shadows, const Camera& camera) const;
 
     // For each pixel, the lowest row first: of the light that the air scatters once towards the eye, the share that stays, in red, green
     // and blue; and the share of the sun's light that reaches the surface.
@@ -42,7 +42,7 @@ private:
     };
     ShaftsPass(gpu::Program program, gpu::Texture shade, gpu::Framebuffer target, std::optional<ShaftsAir> air, std::optional<Table> table,
                std::optional<SlicesOfMaps> slices);
-    void draw_slices(const ShadowPass& shadows, const Camera& camera, Vec3 towards_sun) const;
+    void draw_slices(const ShadowPass& shadows, const Camera& camera) const;
 
     gpu::Program program_;
     gpu::Texture shade_;

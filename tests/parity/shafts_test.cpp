@@ -72,7 +72,7 @@ public:
     std::vector<float> shade(Shafts method) const {
         const render::ShaftsPass shafts = must(render::ShaftsPass::create(width, height, method, &air_));
         camera_.bind(view_);
-        shafts.draw(surfaces_, shadows_, view_, sun_);
+        shafts.draw(surfaces_, shadows_, view_);
         std::vector<float> texels(4 * width * height);
         shafts.shade().read(texels);
         return texels;

@@ -17,7 +17,7 @@ float ground_on_line(vec2 across) {
         vec4 place = cascade_place[i];
         vec2 at = (across - place.xy) / place.w * 0.5 + 0.5;
         if (at != clamp(at, 0.0, 0.99999)) continue;
-        float depth = texelFetch(shadow_maps, ivec2(at * float(shadow_count.z)) + ivec2(0, i * shadow_count.z), 0).r;
+        float depth = texelFetch(shadow_maps, ivec2(at * float(shadow_count.y)) + map_corner(i), 0).r;
         if (depth > 0.0) return min(highest, place.z + depth * cascade_depth[i].x - 0.5 * cascade_depth[i].y);
         highest = min(highest, place.z);
     }
