@@ -114,7 +114,7 @@ void frame(benchmark::State& state, Way way) {
 }  // namespace
 
 #define AIRLIGHT_FRAME(name, ...) \
-    BENCHMARK_CAPTURE(frame, name, Way{__VA_ARGS__})->ArgName("height")->Arg(360)->Arg(1080)->Unit(benchmark::kMillisecond)->UseRealTime()
+    BENCHMARK_CAPTURE(frame, name, Way{__VA_ARGS__})->ArgName("height")->Arg(360)->Arg(1080)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime()
 AIRLIGHT_FRAME(on_foot_at_rest, 2.0, 3.0, 0.0);
 AIRLIGHT_FRAME(on_foot, 2.0, 3.0, 1.5);
 AIRLIGHT_FRAME(between_peaks_at_rest, 1500.0, -5.0, 0.0);

@@ -100,10 +100,10 @@ void shafts(benchmark::State& state, Shafts method) {
 
 }  // namespace
 
-BENCHMARK(shadow_maps)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(shafts, none, Shafts::none)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(shafts, epipolar, Shafts::epipolar)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(shafts, marched, Shafts::marched)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(shafts, planes, Shafts::planes)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(shafts, volumes, Shafts::volumes)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(shafts, brute, Shafts::brute)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(shadow_maps)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(shafts, none, Shafts::none)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(shafts, epipolar, Shafts::epipolar)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(shafts, marched, Shafts::marched)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(shafts, planes, Shafts::planes)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(shafts, volumes, Shafts::volumes)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(shafts, brute, Shafts::brute)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();

@@ -19,8 +19,9 @@ enum class Shafts { epipolar, marched, planes, volumes, brute, none };
 
 class ShaftsPass {
 public:
-    // For pictures of a size. Without `air` there are only the shadows on surfaces.
-    static Result<ShaftsPass> create(int width, int height, Shafts method, const Atmosphere* air);
+    // For pictures of a size. Without `air` there are only the shadows on surfaces. A method is asked for a ray of each square of
+    // `pixels_of_ray` x `pixels_of_ray` pixels.
+    static Result<ShaftsPass> create(int width, int height, Shafts method, const Atmosphere* air, int pixels_of_ray = 2);
 
     // Draws into a texture of its own. The shadows are those of `camera`, whose CameraBlock is bound; with air, AirPass::prepare() has
     // been called for both.
@@ -36,20 +37,29 @@ private:
         gpu::Texture even, peaked;
     };
     struct SlicesOfMaps {
+        int count, places_of_block;
         gpu::Program program;
         gpu::Texture slopes, blocks, spans;
         gpu::Buffer block;
     };
-    ShaftsPass(gpu::Program program, gpu::Texture shade, gpu::Framebuffer target, std::optional<ShaftsAir> air, std::optional<Table> table,
-               std::optional<SlicesOfMaps> slices);
-    void draw_slices(const ShadowPass& shadows, const Camera& camera) const;
+    struct Rays {
+        gpu::Program program;
+        gpu::Texture lit;
+        gpu::Framebuffer target;
+        gpu::Buffer block;
+        ShaftsAir air;
+        std::optional<Table> table;
+        std::optional<SlicesOfMaps> slices;
+    };
+    static Result<Rays> rays_of(int width, int height, Shafts method, const Atmosphere& air, int pixels_of_ray);
+    ShaftsPass(gpu::Program program, gpu::Texture shade, gpu::Framebuffer target, std::optional<Rays> rays);
+    void draw_rays(const ShadowPass& shadows, const Camera& camera) const;
+    static void draw_slices(const SlicesOfMaps& slices, const ShadowPass& shadows, const Camera& camera);
 
     gpu::Program program_;
     gpu::Texture shade_;
     gpu::Framebuffer target_;
-    std::optional<ShaftsAir> air_;
-    std::optional<Table> table_;
-    std::optional<SlicesOfMaps> slices_;
+    std::optional<Rays> rays_;
     gpu::VertexArray triangle_;
 };
 
