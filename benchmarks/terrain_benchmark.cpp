@@ -60,4 +60,5 @@ BENCHMARK(ground)
     ->ArgNames({"above_m", "frustum", "horizon"})
     ->ArgsProduct({{2, 10'000, 1'000'000}, {0, 1}, {0, 1}})
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
