@@ -147,11 +147,12 @@ int AirRayGrid::most_rows() const {
     return most;
 }
 
-void AirRayGrid::write_rays(Length altitude, const DomeRows& rows, const Grid& grid) const {
+void AirRayGrid::write_rays(const AirEye& eye, const DomeRows& rows, const Grid& grid) const {
     RaysBlock block;
-    const double h = std::max(altitude.value, DomeRows::lowest_eye_m);
+    const double h = std::max(eye.altitude_m, DomeRows::lowest_eye_m);
     block.counts = {static_cast<int>(rows.segments().size()), grid.azimuths, rows.size(), grid.layers};
-    block.eye = {as_float(h), as_float(std::sqrt(h * (2.0 * shell_.bottom_m + h))), as_float(std::min(h / shell_.top_m, 1.0)), 0.0f};
+    block.eye = {as_float(h), as_float(std::sqrt(h * (2.0 * shell_.bottom_m + h))), as_float(std::min(h / shell_.top_m, 1.0)),
+                 as_float(eye.mu_s)};
     std::vector<Four> ways;
     for (std::size_t s = 0; s < rows.segments().size(); ++s) {
         const DomeRows::Segment& segment = rows.segments()[s];
@@ -167,7 +168,7 @@ void AirRayGrid::march(const AirEye& eye, const gpu::Program& program, const std
     const Length altitude = Length::of(std::max(eye.altitude_m, 0.0));
     const Grid& grid = grid_of(altitude, std::acos(std::clamp(eye.mu_s, -1.0, 1.0)));
     const DomeRows rows(shell_, altitude, jumps_m_, grid.sky_rows, grid.ground_rows);
-    write_rays(altitude, rows, grid);
+    write_rays(eye, rows, grid);
     rays_.bind_uniform(rays_binding);
     ways_.bind_storage(ways_binding);
     peak_.bind_sampler(peak_in_march);

@@ -47,7 +47,7 @@ private:
     static const Grid day_grid, shadow_grid, space_grid;
     const Grid& grid_of(Length altitude, double sun_zenith) const;
     int most_rows() const;
-    void write_rays(Length altitude, const DomeRows& rows, const Grid& grid) const;
+    void write_rays(const AirEye& eye, const DomeRows& rows, const Grid& grid) const;
 
     Shell shell_;
     std::vector<double> jumps_m_;  // of density

@@ -203,6 +203,33 @@ TEST_CASE("the exact pass of air is within 3 % of airlight on the CPU, from the 
         }
 }
 
+TEST_CASE("tables of light are made for an eye near by, and a picture is the same whatever was drawn before") {
+    for (const double altitude_m : {0.0, 0.3, 2.0, 4500.0, 4e5, 2e7})
+        for (const double mu_s : {-1.0, -0.1, 3e-6, 0.5, 1.0}) {
+            const render::AirEye at = render::settled({altitude_m, mu_s});
+            CHECK(std::abs(at.altitude_m - altitude_m) <= 0.5e-4 * (altitude_m + 1.0) * 1.001);
+            CHECK(std::abs(at.mu_s - mu_s) <= 5e-5);
+            CHECK(render::settled(at) == at);
+        }
+    const GpuCase gpu_case;
+    if (!gpu_case) return;
+    const Truth model;
+    const auto made = [&] {
+        Result<std::unique_ptr<render::AirMethod>> method = render::airlight_air(model.baked, colours);
+        if (!method) FAIL(method.error().message());
+        return model.pass(*std::move(method));
+    };
+    render::AirPass flown = made(), fresh = made();
+    const Pictures pictures;
+    const Camera before = camera_above(model, 3000.0, 5.0), here = camera_above(model, 3000.05, 5.0);
+    const Vec3 sun = sun_at(model, 89.0);
+    pictures.prepare(flown, before, sun_at(model, 70.0));
+    pictures.prepare(flown, before, sun);
+    pictures.prepare(flown, here, sun);
+    pictures.prepare(fresh, here, sun);
+    CHECK(pictures.draw(flown, here, sun, Wall{}) == pictures.draw(fresh, here, sun, Wall{}));
+}
+
 TEST_CASE("airlight in real time is within 3 % of the exact pass from 0 m to 20 000 km, the sun at 0 to 96 degrees") {
     const GpuCase gpu_case;
     if (!gpu_case) return;

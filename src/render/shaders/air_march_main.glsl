@@ -1,7 +1,7 @@
 // The rest of a program that marches: air_march.glsl.
 Way way_of(int row, int azimuth) {
     vec4 w = ways[row];
-    float bottom = air_shell.x, h = max(eye_up.w, 0.0), mu_s = dot(eye_up.xyz, towards_sun.xyz);
+    float bottom = air_shell.x, h = ray_eye.x, mu_s = ray_eye.w;
     float cos_azimuth = azimuth_cosine_of_coordinate(float(azimuth) / float(ray_counts.y - 1));
     Way way;
     way.nu = clamp(w.x * mu_s + sqrt(max((1.0 - w.x * w.x) * (1.0 - mu_s * mu_s), 0.0)) * cos_azimuth, -1.0, 1.0);

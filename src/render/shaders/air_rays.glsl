@@ -5,7 +5,7 @@
 const int air_most_segments = 10;
 layout(std140, binding = 4) uniform AirRays {
     ivec4 ray_counts;                    // segments, azimuths, rows; layers beyond the first
-    vec4 ray_eye;                        // altitude and distance of the horizon, for rows on the ground; share of layers that crowd far off
+    vec4 ray_eye;                        // of the settled eye: altitude and distance of the horizon; share of layers that crowd far off; cosine of the sun's zenith angle
     vec4 segments[air_most_segments];    // zenith angles between which rows are interpolated, first row, how many
 };
 
