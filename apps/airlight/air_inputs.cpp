@@ -37,13 +37,19 @@ Result<AskedAir> asked_air(const AirInputs& inputs) {
     Result<Atmosphere> base = atmosphere_named(inputs.atmosphere);
     if (!base) return base.error();
     if (inputs.metar.empty()) return AskedAir{*std::move(base), {}};
-    const Result<std::string> text = report_text(inputs.metar);
-    if (!text) return text.error();
-    const Result<Metar> report = parse_metar(*text);
-    if (!report) return at("--metar", report.error());
     const Result<AerosolType> usual = parse_aerosol_type(inputs.aerosol);
     if (!usual) return at("--aerosol", usual.error());
-    Result<AtmosphereUnderWeather> under = atmosphere_under(*std::move(base), *report, {*usual});
+    Result<AskedAir> under = air_under(*std::move(base), inputs.metar, *usual);
+    if (!under) return at("--metar", under.error());
+    return under;
+}
+
+Result<AskedAir> air_under(Atmosphere base, const std::string& text_or_file, AerosolType usual_aerosol) {
+    const Result<std::string> text = report_text(text_or_file);
+    if (!text) return text.error();
+    const Result<Metar> report = parse_metar(*text);
+    if (!report) return report.error();
+    Result<AtmosphereUnderWeather> under = atmosphere_under(std::move(base), *report, {usual_aerosol});
     if (!under) return under.error();
     return AskedAir{std::move(under->atmosphere), std::move(under->decisions)};
 }

@@ -7,6 +7,7 @@
 
 #include "atmosphere/atmosphere.h"
 #include "core/result.h"
+#include "optics/aerosol.h"
 
 namespace airlight::cli {
 
@@ -24,5 +25,8 @@ struct AskedAir {
     std::vector<std::string> decisions;  // what was taken from the weather report, one line each
 };
 Result<AskedAir> asked_air(const AirInputs& inputs);
+
+// An air under a weather report: its text, or a file that has it. Fails if it is none.
+Result<AskedAir> air_under(Atmosphere base, const std::string& text_or_file, AerosolType usual_aerosol);
 
 }  // namespace airlight::cli

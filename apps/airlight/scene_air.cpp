@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
+#include "air_inputs.h"
 #include "atmosphere/atmosphere_file.h"
 #include "atmosphere/presets.h"
 #include "render/air_airlight.h"
@@ -76,6 +78,12 @@ render::Shafts shafts_of(ShaftsName name) {
 
 }  // namespace
 
+std::string beside(const Scene& scene, const std::string& name) {
+    std::error_code absent;
+    const std::filesystem::path file = std::filesystem::path(scene.file).parent_path() / name;
+    return std::filesystem::exists(file, absent) ? file.string() : name;
+}
+
 render::Lights lights_of(const Scene& scene) {
     const RgbConverter converter(RgbSpace::srgb, WhitePoint::d65);
     const Rgb sun = converter.into_gamut(converter.to_rgb(to_xyz(solar_irradiance(scene.sun.distance_au))));
@@ -90,9 +98,13 @@ Result<std::optional<Atmosphere>> air_of(const Scene& scene) {
     if (scene.atmosphere == "none") return std::optional<Atmosphere>();
     const std::vector<std::string_view> presets = preset_names();
     const bool is_preset = std::find(presets.begin(), presets.end(), scene.atmosphere) != presets.end();
-    const std::filesystem::path beside = std::filesystem::path(scene.file).parent_path() / scene.atmosphere;
-    Result<Atmosphere> air = atmosphere_named(is_preset || !std::filesystem::exists(beside) ? scene.atmosphere : beside.string());
+    Result<Atmosphere> air = atmosphere_named(is_preset ? scene.atmosphere : beside(scene, scene.atmosphere));
     if (!air) return at(scene.file + ": atmosphere", air.error());
+    if (!scene.weather.empty()) {
+        Result<AskedAir> under = air_under(*std::move(air), beside(scene, scene.weather), AerosolType::continental_average);
+        if (!under) return at(scene.file + ": weather", under.error());
+        air = std::move(under->atmosphere);
+    }
     air->bottom_radius = scene.ground.radius_m * m;
     return std::optional<Atmosphere>(*std::move(air));
 }

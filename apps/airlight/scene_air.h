@@ -11,6 +11,9 @@
 
 namespace airlight::cli {
 
+// The file of a name that a scene writes, beside its own; the name, if there is none.
+std::string beside(const Scene& scene, const std::string& name);
+
 // What the sun shines with above the air, in lux of the primaries of sRGB.
 render::Lights lights_of(const Scene& scene);
 

@@ -56,21 +56,23 @@ Result<BackgroundPass> BackgroundPass::create(int width, int height, std::span<c
     gpu::Texture radiance({width, height});
     Result<gpu::Framebuffer> target = gpu::Framebuffer::create({&radiance});
     if (!target) return target.error();
-    const std::vector<Four> light = light_of(stars);
-    gpu::Buffer buffer = light.empty() ? gpu::Buffer(sizeof(Four)) : gpu::Buffer(std::as_bytes(std::span(light)));
-    return BackgroundPass(std::move(*disks), std::move(*points), std::move(radiance), std::move(*target), std::move(buffer),
-                          static_cast<int>(stars.size()));
+    BackgroundPass pass(std::move(*disks), std::move(*points), std::move(radiance), std::move(*target));
+    pass.take(stars);
+    return pass;
 }
 
-BackgroundPass::BackgroundPass(gpu::Program disks, gpu::Program points, gpu::Texture radiance, gpu::Framebuffer target, gpu::Buffer stars,
-                               int count)
+BackgroundPass::BackgroundPass(gpu::Program disks, gpu::Program points, gpu::Texture radiance, gpu::Framebuffer target)
     : disks_(std::move(disks)),
       points_(std::move(points)),
       radiance_(std::move(radiance)),
       target_(std::move(target)),
-      stars_(std::move(stars)),
-      star_count_(count),
       block_(sizeof(Block)) {}
+
+void BackgroundPass::take(std::span<const Star> stars) {
+    const std::vector<Four> light = light_of(stars);
+    if (!light.empty()) stars_ = gpu::Buffer(std::as_bytes(std::span(light)));
+    star_count_ = static_cast<int>(stars.size());
+}
 
 void BackgroundPass::draw(const Camera& camera, const Heavens& heavens, const BendingTable& bending) {
     const std::array<RgbLight, 3> sun = sun_radiance(heavens);

@@ -5,6 +5,7 @@
 // Leaves out: the planets, the Milky Way, the face of the moon and what the Earth's shadow does to it; twinkling.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -26,8 +27,11 @@ BendingTable bending_to(const Atmosphere* air, double radius_m);
 
 class BackgroundPass {
 public:
-    // For pictures of this size. `stars` never set, where the planet's axes are the Earth's.
+    // For pictures of this size, under these stars. They never set, where the planet's axes are the Earth's.
     static Result<BackgroundPass> create(int width, int height, std::span<const Star> stars);
+
+    // The next pictures have these stars.
+    void take(std::span<const Star> stars);
 
     // Draws into radiance(). A CameraBlock of the same camera is bound.
     void draw(const Camera& camera, const Heavens& heavens, const BendingTable& bending);
@@ -36,13 +40,13 @@ public:
     const gpu::Texture& radiance() const { return radiance_; }
 
 private:
-    BackgroundPass(gpu::Program disks, gpu::Program points, gpu::Texture radiance, gpu::Framebuffer target, gpu::Buffer stars, int count);
+    BackgroundPass(gpu::Program disks, gpu::Program points, gpu::Texture radiance, gpu::Framebuffer target);
 
     gpu::Program disks_, points_;
     gpu::Texture radiance_;
     gpu::Framebuffer target_;
-    gpu::Buffer stars_;
-    int star_count_;
+    gpu::Buffer stars_{sizeof(std::array<float, 4>)};
+    int star_count_ = 0;
     gpu::Buffer block_;
     gpu::VertexArray nothing_;
 };

@@ -42,6 +42,9 @@ public:
     }
     std::optional<ShaftsPass> exchange_shafts(std::optional<ShaftsPass> shafts) { return std::exchange(shafts_, std::move(shafts)); }
 
+    // The next pictures have these stars.
+    void take(std::span<const Star> stars) { background_.take(stars); }
+
     // Of the last picture.
     const std::vector<gpu::PassTime>& times() const { return times_; }
     const TerrainCount& terrain() const { return terrain_.count(); }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "sun/position.h"
 #include "terrain/raster_relief.h"
 #include "terrain/surface_image.h"
 
@@ -68,6 +69,19 @@ Result<Camera> camera_of(const Scene& scene, const HeightField& ground, int widt
     camera.vertical_field_of_view = scene.camera.vertical_field_of_view;
     camera.width = width, camera.height = height;
     return camera;
+}
+
+void set_time(Scene& scene, const Utc& time) {
+    const Viewpoint& at = scene.camera.viewpoint;
+    const Place place{at.latitude, std::remainder(at.longitude, 2.0 * pi), 0.0 * m};
+    const SunPosition sun = sun_position(place, time);
+    const MoonPosition moon = moon_position(place, time);
+    scene.sun = {sun.direction.zenith, sun.direction.azimuth, sun.distance_au, time};
+    scene.moon.reset();
+    if (scene.shows_moon) scene.moon = MoonScene{moon.direction.zenith, moon.direction.azimuth, moon.distance.in(m)};
+    const double faintest = scene.stars.value_or(StarScene{}).faintest;
+    scene.stars.reset();
+    if (scene.shows_stars) scene.stars = StarScene{time, faintest};
 }
 
 Vec3 towards_sun(const Scene& scene) { return direction_over(scene, scene.sun.zenith, scene.sun.azimuth); }

@@ -39,6 +39,7 @@ struct SunScene {
     double zenith = 45.0 * deg;
     double azimuth = 180.0 * deg;
     double distance_au = 1.0;
+    std::optional<Utc> time = {};  // when it stands there; none: it was placed by its angles
 
     friend bool operator==(const SunScene&, const SunScene&) = default;
 };
@@ -81,17 +82,22 @@ struct StarScene {
 struct Scene {
     std::string file;                        // for messages
     std::string atmosphere = "earth-clear";  // a preset or a file, its path relative to that of the scene; "none" is no air
+    std::string weather;                     // a METAR report, or a file with one, as above; empty: as the atmosphere is by itself
     AirScene air;
     GroundScene ground;
     CameraScene camera;
     SunScene sun;
     std::optional<MoonScene> moon;
     std::optional<StarScene> stars;
+    bool shows_moon = true, shows_stars = true;  // false: none at any time
 };
 
 // The scene of a TOML text; paths in it are relative to the folder of `file`. Fails with file, line, key, value, the rule and what to do.
 Result<Scene> parse_scene(std::string_view toml, std::string_view file);
 Result<Scene> read_scene(const std::filesystem::path& path);
+
+// Places sun, moon and stars as they stand over the camera's place at a moment; what the scene does not show stays hidden.
+void set_time(Scene& scene, const Utc& time);
 
 // Fails as Raster::open() does.
 Result<HeightField> ground_of(const Scene& scene);

@@ -4,7 +4,6 @@
 
 #include "core/files.h"
 #include "scene/scene.h"
-#include "sun/position.h"
 #include "toml/toml_input.h"
 
 namespace airlight {
@@ -108,23 +107,12 @@ void read_place(TomlInput& table, double& zenith, double& azimuth) {
     keep_within(table, "azimuth", table.angle("azimuth"), -360.0 * deg, 360.0 * deg, "from -360 deg to 360 deg", azimuth);
 }
 
-// Sun, moon and stars over the camera's place at a moment.
-void place_heavens(const Utc& time, Scene& scene) {
-    const Viewpoint& at = scene.camera.viewpoint;
-    const Place place{at.latitude, std::remainder(at.longitude, 2.0 * pi), 0.0 * m};
-    const SunPosition sun = sun_position(place, time);
-    const MoonPosition moon = moon_position(place, time);
-    scene.sun = {sun.direction.zenith, sun.direction.azimuth, sun.distance_au};
-    scene.moon = MoonScene{moon.direction.zenith, moon.direction.azimuth, moon.distance.in(m)};
-    scene.stars = StarScene{time};
-}
-
 void read_sun(TomlInput& file, Scene& scene) {
     auto sun = file.table("sun");
     if (!sun) return;
     if (sun->has("time")) {
         refuse_beside_time(*sun, "sun");
-        if (const Result<Utc> time = moment(*sun)) place_heavens(*time, scene);
+        if (const Result<Utc> time = moment(*sun)) set_time(scene, *time);
     } else read_place(*sun, scene.sun.zenith, scene.sun.azimuth);
     sun->refuse_unknown_keys();
 }
@@ -139,20 +127,22 @@ void read_moon(TomlInput& file, Scene& scene) {
     read_place(*moon, place.zenith, place.azimuth);
     keep_within(*moon, "distance", metres(moon->length("distance")), 1e7, 1e10, "from 10000 km to 10000000 km", place.distance_m);
     scene.moon = place;
-    if (!visible(*moon)) scene.moon.reset();
+    scene.shows_moon = visible(*moon);
+    if (!scene.shows_moon) scene.moon.reset();
     moon->refuse_unknown_keys();
 }
 
 void read_stars(TomlInput& file, Scene& scene) {
     auto stars = file.table("stars");
     if (!stars) return;
+    scene.shows_stars = visible(*stars);
     if (stars->has("time")) {
         if (const Result<Utc> time = moment(*stars)) scene.stars = StarScene{*time};
-    } else if (!scene.stars && visible(*stars)) stars->refuse_missing("time", "Write time = \"2024-06-21T22:00:00Z\", here or in [sun].");
+    } else if (!scene.stars && scene.shows_stars) stars->refuse_missing("time", "Write time = \"2024-06-21T22:00:00Z\", here or in [sun].");
     double faintest = 6.0;
     keep_within(*stars, "faintest", stars->number("faintest"), -2.0, 6.0, "a magnitude from -2 to 6", faintest);
     if (scene.stars) scene.stars->faintest = faintest;
-    if (!visible(*stars)) scene.stars.reset();
+    if (!scene.shows_stars) scene.stars.reset();
     stars->refuse_unknown_keys();
 }
 
@@ -166,6 +156,7 @@ Result<Scene> parse_scene(std::string_view toml, std::string_view name) {
     Scene scene;
     scene.file = name;
     if (const auto air = file.text("atmosphere")) scene.atmosphere = *air;
+    if (const auto report = file.text("weather")) scene.weather = *report;
     read_air(file, scene);
     read_ground(file, scene, std::filesystem::path(name).parent_path());
     read_camera(file, scene);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "sun/position.h"
 #include "viewer/flight.h"
 
 namespace airlight::viewer {
@@ -26,10 +25,19 @@ Result<Done> take_camera(Session& session, const HeightField& ground) {
     return Done{};
 }
 
-void take_sun(Session& session) {
-    session.towards_sun = airlight::towards_sun(session.file);
-    session.sun_distance_au = session.file.sun.distance_au;
-    session.time.reset();
+// What stands above the scene, in the world.
+void take_heavens(Session& session, const Scene& scene) {
+    session.towards_sun = airlight::towards_sun(scene);
+    session.sun_distance_au = scene.sun.distance_au;
+    session.moon_m = moon_place(scene);
+    session.stars = scene.stars;
+    session.time = scene.sun.time;
+}
+
+// Whether two files put sun, moon and stars elsewhere; their angles count at the place of the camera.
+bool same_heavens(const Scene& a, const Scene& b) {
+    const Viewpoint &here = a.camera.viewpoint, &there = b.camera.viewpoint;
+    return a.sun == b.sun && a.moon == b.moon && a.stars == b.stars && here.latitude == there.latitude && here.longitude == there.longitude;
 }
 
 // The direction of an azimuth and a zenith angle at the eye's place.
@@ -39,6 +47,20 @@ Vec3 direction_over(const Viewpoint& eye, SunAngles angles) {
                    .latitude = eye.latitude, .longitude = eye.longitude, .heading = angles.azimuth, .pitch = 0.5 * pi - angles.zenith},
                1.0)
         .forward;
+}
+
+// The angles of a direction, of any length, at the eye's place.
+SunAngles angles_over(const Viewpoint& eye, Vec3 direction) {
+    const Camera level = look(Viewpoint{.latitude = eye.latitude, .longitude = eye.longitude}, 1.0);
+    const double east = glm::dot(direction, level.right), north = glm::dot(direction, level.forward), up = glm::dot(direction, level.up);
+    return {std::atan2(std::hypot(east, north), up), std::atan2(east, north)};
+}
+
+// The moon as it stands over the ground under the eye.
+MoonScene moon_over(const Viewpoint& eye, Vec3 moon_m, double radius_m) {
+    const Vec3 from_ground = moon_m - radius_m * direction_of(eye.latitude, eye.longitude);
+    const SunAngles angles = angles_over(eye, from_ground);
+    return {angles.zenith, angles.azimuth, glm::length(from_ground)};
 }
 
 constexpr std::array all_presets = {
@@ -58,9 +80,10 @@ Result<Session> session_of(const Scene& scene, const HeightField& ground) {
     Session session;
     session.file = scene;
     session.atmosphere = scene.atmosphere;
+    session.weather = scene.weather;
     session.air = scene.air;
     if (const Result<Done> taken = take_camera(session, ground); !taken) return taken.error();
-    take_sun(session);
+    take_heavens(session, scene);
     return session;
 }
 
@@ -69,8 +92,9 @@ Result<Session> reloaded(const Session& session, const Scene& scene, const Heigh
     next.file = scene;
     if (!(scene.camera == session.file.camera))
         if (const Result<Done> taken = take_camera(next, ground); !taken) return taken.error();
-    if (!(scene.sun == session.file.sun)) take_sun(next);
+    if (!same_heavens(scene, session.file)) take_heavens(next, scene);
     if (scene.atmosphere != session.file.atmosphere) next.atmosphere = scene.atmosphere;
+    if (scene.weather != session.file.weather) next.weather = scene.weather;
     if (!(scene.air == session.file.air)) next.air = scene.air;
     next.eye = above_ground(next.eye, ground);
     return next;
@@ -87,19 +111,17 @@ Scene scene_of(const Session& session) {
     Scene scene = session.file;
     const SunAngles sun = sun_angles(session);
     scene.atmosphere = session.atmosphere;
+    scene.weather = session.weather;
     scene.air = session.air;
     scene.camera = {.viewpoint = session.eye, .above_ground = false, .vertical_field_of_view = session.field_of_view};
-    scene.sun = {.zenith = sun.zenith, .azimuth = sun.azimuth, .distance_au = session.sun_distance_au};
+    scene.sun = {.zenith = sun.zenith, .azimuth = sun.azimuth, .distance_au = session.sun_distance_au, .time = session.time};
+    scene.moon.reset();
+    if (session.moon_m) scene.moon = moon_over(session.eye, *session.moon_m, scene.ground.radius_m);
+    scene.stars = session.stars;
     return scene;
 }
 
-SunAngles sun_angles(const Session& session) {
-    const Viewpoint& eye = session.eye;
-    const Camera level = look(Viewpoint{.latitude = eye.latitude, .longitude = eye.longitude}, 1.0);
-    const Vec3 sun = session.towards_sun;
-    const double east = glm::dot(sun, level.right), north = glm::dot(sun, level.forward), up = glm::dot(sun, level.up);
-    return {std::atan2(std::hypot(east, north), up), std::atan2(east, north)};
-}
+SunAngles sun_angles(const Session& session) { return angles_over(session.eye, session.towards_sun); }
 
 void place_sun(Session& session, SunAngles angles) {
     session.towards_sun = direction_over(session.eye, angles);
@@ -107,11 +129,9 @@ void place_sun(Session& session, SunAngles angles) {
 }
 
 void set_time(Session& session, const Utc& time) {
-    const Place place{session.eye.latitude, std::remainder(session.eye.longitude, 2.0 * pi), 0.0 * m};
-    const SunPosition sun = sun_position(place, time);
-    session.towards_sun = direction_over(session.eye, {sun.direction.zenith, sun.direction.azimuth});
-    session.sun_distance_au = sun.distance_au;
-    session.time = time;
+    Scene scene = scene_of(session);
+    airlight::set_time(scene, time);
+    take_heavens(session, scene);
 }
 
 void change_speed(Session& session, double notches) {

@@ -36,12 +36,16 @@ struct Comparison {
 struct Session {
     Scene file;              // what the file says; what follows goes on from there
     std::string atmosphere;  // a preset or a file, as in a scene; "none" is no air
-    AirScene air;            // its method
+    std::string weather;     // a METAR report, or a file with one, as in a scene; empty: none
+    AirScene air;            // its methods
     Comparison comparison;
     Viewpoint eye;  // its altitude is above 0 m
     double field_of_view = 60.0 * deg;
-    Vec3 towards_sun{};  // of length one, along the axes of the world
+    // What stands above stands in the world, along its axes, wherever the eye flies.
+    Vec3 towards_sun{};  // of length one
     double sun_distance_au = 1.0;
+    std::optional<Vec3> moon_m;  // its centre, from the planet's
+    std::optional<StarScene> stars;
     std::optional<Utc> time;   // none: the sun was placed by its angles
     double flown_per_s = 0.5;  // the share of the height above the ground
     Look look;
@@ -50,14 +54,14 @@ struct Session {
 // A scene as its file says it. Fails if the camera would be in the ground.
 Result<Session> session_of(const Scene& scene, const HeightField& ground);
 
-// The session after its scene's file was written anew: what the file now says otherwise holds, all else stays as the user left it.
-// Fails, and nothing has changed, if the camera would be in the ground.
+// The session after its scene's file was written anew: what the file now says otherwise holds, all else stays as the user left it. Under
+// another ground the eye is lifted out of it. Fails if the file puts the camera into the ground.
 Result<Session> reloaded(const Session& session, const Scene& scene, const HeightField& ground);
 
 // The camera of the session's eye, for pictures of this size.
 Camera camera_of(const Session& session, int width, int height);
 
-// The scene that the session has become: the file's ground under its eye, its sun and its air.
+// The scene that the session has become: the file's ground under its eye, its air, and what stands above, seen from there.
 Scene scene_of(const Session& session);
 
 // Where the sun stands at the eye's place: radians, zenith from straight up, azimuth from north, clockwise.
@@ -66,9 +70,9 @@ struct SunAngles {
 };
 SunAngles sun_angles(const Session& session);
 
-// The sun at angles over the eye's place; it stays there in the world as the eye flies on.
+// The sun at angles over the eye's place; moon and stars stay where they are.
 void place_sun(Session& session, SunAngles angles);
-// The sun of a moment.
+// Sun, moon and stars of a moment.
 void set_time(Session& session, const Utc& time);
 
 // The factor that the scroll wheel's `notches` put on the speed; within bounds that a pilot can still use.

@@ -21,6 +21,8 @@ if(AIRLIGHT_GPU)
     COMMAND render ${CMAKE_CURRENT_SOURCE_DIR}/../corpus/scene/no-air.toml --width 64 --height 36 -o m.png)
   airlight_cli_test("render: an atmosphere that is none is told" EXIT 1 ERR "no-such-air.toml: atmosphere"
     COMMAND render ${CMAKE_CURRENT_SOURCE_DIR}/../corpus/scene/no-such-air.toml --width 64 --height 36 -o m.png)
+  airlight_cli_test("render: a weather report that is none is told" EXIT 1 ERR "wrong-weather.toml: weather: .*99999"
+    COMMAND render ${CMAKE_CURRENT_SOURCE_DIR}/../corpus/scene/wrong-weather.toml --width 64 --height 36 -o m.png)
 endif()
 set(paths ${CMAKE_CURRENT_SOURCE_DIR}/../corpus/path)
 airlight_cli_test("render: a misspelt key of a path is told with its line" EXIT 1 ERR "misspelt.toml:6: key.headng is no key"

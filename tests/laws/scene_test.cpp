@@ -44,6 +44,8 @@ TEST_CASE("a scene says its ground, camera and sun, and leaves the rest at what 
     CHECK(scene->air.method == AirMethodName::exact);
     CHECK(scene->air.shafts == ShaftsName::planes);
     CHECK(parse_scene(camera, "scene.toml")->air.method == AirMethodName::airlight);
+    CHECK(parse_scene(camera, "scene.toml")->weather.empty());
+    CHECK(parse_scene(std::string("weather = \"report.txt\"\n") + camera, "scene.toml")->weather == "report.txt");
     CHECK(scene->sun.zenith == doctest::Approx(80.0 * deg));
     CHECK(scene->sun.azimuth == doctest::Approx(180.0 * deg));
 }
@@ -120,6 +122,7 @@ TEST_CASE("a time places moon and stars as well; without one the moon stands whe
     // The greatest eclipse was there and then: the centres of both were half a minute of arc apart.
     CHECK(glm::length(glm::normalize(*moon_place(eclipse) - ground) - towards_sun(eclipse)) < 0.02 * deg);
     CHECK(stars_of(eclipse).size() > 5000);
+    CHECK(eclipse.sun.time == *parse_utc("2024-04-08T18:17:20Z"));
     CHECK(stars_of(*parse_scene(over_mexico + time + "[stars]\nfaintest = 1.5\n", "s.toml")).size() == 23);
     CHECK(!moon_place(*parse_scene(over_mexico + time + "[moon]\nvisible = false\n", "s.toml")));
     CHECK(stars_of(*parse_scene(over_mexico + time + "[stars]\nvisible = false\n", "s.toml")).empty());

@@ -165,6 +165,54 @@ TEST_CASE("twelve hours turn the sun around the axis of the planet; at noon of t
     CHECK(!session.time);
 }
 
+TEST_CASE("a session begins at its file's time, and shows the file's moon and stars") {
+    const Scene file = scene_of(std::string(toml) + "[sun]\ntime = \"2024-04-08T18:17:20Z\"\n[stars]\nfaintest = 3\n");
+    const Session session = *session_of(file, smooth());
+    CHECK(session.time == *parse_utc("2024-04-08T18:17:20Z"));
+    CHECK(glm::length(*session.moon_m - *moon_place(file)) < 1.0);
+    CHECK(stars_of(viewer::scene_of(session)).size() == stars_of(file).size());
+    CHECK(!session_of(scene_of(toml), smooth())->time);
+}
+
+TEST_CASE("moon and stars stand in the heavens: an eye that flies on leaves them where they are") {
+    Session session = *session_of(scene_of(std::string(toml) + "[moon]\nzenith = \"30 deg\"\nazimuth = \"200 deg\"\n"), smooth());
+    const Vec3 moon = *session.moon_m;
+    session.eye = {.latitude = -0.6, .longitude = 2.0, .altitude_m = 4e6};
+    const Scene there = viewer::scene_of(session);
+    CHECK(glm::length(*moon_place(there) - moon) < 1.0);
+    CHECK(glm::length(towards_sun(there) - session.towards_sun) < 1e-12);
+    // What a menu does to the sun is not the moon's.
+    place_sun(session, {1.0, 1.0});
+    CHECK(*session.moon_m == moon);
+}
+
+TEST_CASE("a time moves sun, moon and stars together, to where a file with that time puts them") {
+    const std::string time = "2024-04-08T18:17:20Z";
+    Session session = *session_of(scene_of(std::string(toml) + "[sun]\ntime = \"2023-01-01T00:00Z\"\n"), smooth());
+    set_time(session, *parse_utc(time));
+    const Scene file = scene_of(std::string(toml) + "[sun]\ntime = \"" + time + "\"\n"), become = viewer::scene_of(session);
+    CHECK(glm::length(towards_sun(become) - towards_sun(file)) < 1e-12);
+    CHECK(become.sun.distance_au == file.sun.distance_au);
+    CHECK(glm::length(*moon_place(become) - *moon_place(file)) < 1.0);
+    CHECK(become.stars == file.stars);
+    Session hidden = *session_of(scene_of(std::string(toml) + "[moon]\nvisible = false\n[stars]\nvisible = false\n"), smooth());
+    set_time(hidden, *parse_utc(time));
+    CHECK(!moon_place(viewer::scene_of(hidden)));
+    CHECK(stars_of(viewer::scene_of(hidden)).empty());
+}
+
+TEST_CASE("a file that is written anew with ground above the eye lifts it; one that moves the moon moves it") {
+    const HeightField ground = smooth();
+    Session session = *session_of(scene_of(toml), ground);
+    HeightField higher = ground;
+    higher.sample = [](Vec3, double) { return HeightSample{30e3, {}, {}, {}}; };
+    const Result<Session> lifted = reloaded(session, scene_of(std::string(toml) + "[ground]\nseed = 2\n"), higher);
+    REQUIRE(lifted);
+    CHECK(height_m(lifted->eye, higher) == doctest::Approx(lowest_eye_m));
+    const Scene moon = scene_of(std::string(toml) + "[moon]\nzenith = \"20 deg\"\n");
+    CHECK(reloaded(session, moon, ground)->moon_m == moon_place(moon));
+}
+
 TEST_CASE("a file that is written anew changes what it says otherwise, and leaves what the user did") {
     const HeightField ground = smooth();
     Session session = *session_of(scene_of(toml), ground);
@@ -250,11 +298,13 @@ TEST_CASE("the scene that a session has become begins a session that shows the s
     Session session = *session_of(scene_of(toml), ground);
     session.eye = {.latitude = -0.3, .longitude = 2.0, .altitude_m = 77.0, .heading = 1.0, .pitch = 0.2};
     session.atmosphere = "mars";
+    session.weather = "LOWI 211250Z 07008KT 9999 FEW040 26/12 Q1018";
     session.air.method = AirMethodName::exact;
     place_sun(session, {1.2, 2.5});
     const Session again = *session_of(viewer::scene_of(session), ground);
     CHECK(again.eye == session.eye);
     CHECK(again.atmosphere == session.atmosphere);
+    CHECK(again.weather == session.weather);
     CHECK(again.air.method == session.air.method);
     CHECK(again.field_of_view == session.field_of_view);
     CHECK(glm::length(again.towards_sun - session.towards_sun) < 1e-12);

@@ -61,15 +61,23 @@ struct Picture {
     }
 };
 
-Picture draw(const Camera& camera, const Heavens& heavens, std::span<const Star> stars = {}, const Atmosphere* air = nullptr) {
+BackgroundPass pass_for(const Camera& camera, std::span<const Star> stars) {
     Result<BackgroundPass> pass = BackgroundPass::create(camera.width, camera.height, stars);
     if (!pass) FAIL(pass.error().message());
+    return *std::move(pass);
+}
+
+Picture draw(BackgroundPass& pass, const Camera& camera, const Heavens& heavens, const Atmosphere* air = nullptr) {
     const CameraBlock block;
     block.bind(camera);
-    pass->draw(camera, heavens, bending_to(air, glm::length(camera.eye)));
+    pass.draw(camera, heavens, bending_to(air, glm::length(camera.eye)));
     Picture picture{camera, std::vector<float>(static_cast<std::size_t>(4 * camera.width * camera.height))};
-    pass->radiance().read(picture.pixels);
+    pass.radiance().read(picture.pixels);
     return picture;
+}
+Picture draw(const Camera& camera, const Heavens& heavens, std::span<const Star> stars = {}, const Atmosphere* air = nullptr) {
+    BackgroundPass pass = pass_for(camera, stars);
+    return draw(pass, camera, heavens, air);
 }
 
 const Heavens sun_away = {.towards_sun = {-1.0, 0.0, 0.0}};
@@ -157,6 +165,19 @@ TEST_CASE("a star's light is the same at any resolution and anywhere between pix
     const Camera camera = camera_towards(elevation, 1.0 * deg, 64, 64);
     const std::vector<Star> star = {{towards, {1.0, 1.0, 1.0}}};
     CHECK(draw(camera, with_moon(camera.right, towards), star).lux() < 0.1);
+}
+
+TEST_CASE("stars that are taken later are drawn in place of those before, more of them or none") {
+    const GpuCase gpu_case;
+    if (!gpu_case) return;
+    const Camera camera = camera_towards(50.0 * deg, 30.0 * deg, 64, 64);
+    const Vec3 towards = direction_at_elevation(50.0 * deg);
+    const std::vector<Star> one = {{towards, {1e-6, 1e-6, 1e-6}}}, three(3, {towards, {1e-5, 1e-5, 1e-5}});
+    BackgroundPass pass = pass_for(camera, {});
+    for (const auto& [stars, lux] : {std::pair{one, 1e-6}, {three, 3e-5}, {one, 1e-6}, {{}, 0.0}}) {
+        pass.take(stars);
+        CHECK(draw(pass, camera, sun_away).lux() == doctest::Approx(lux).epsilon(0.01));
+    }
 }
 
 TEST_CASE("air raises what stands low and flattens the sun") {

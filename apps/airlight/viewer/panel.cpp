@@ -97,7 +97,8 @@ void draw_sun(Session& session) {
     bool placed = slide_angle("sun zenith", sun.zenith, 0.0, 180.0);
     placed |= slide_angle("sun azimuth", sun.azimuth, 0.0, 360.0);
     if (placed) viewer::place_sun(session, sun);
-    Utc time = session.time.value_or(Utc{.year = 2024, .month = 6, .day = 21, .hour = 12});
+    if (!session.time) text(faint, "placed by its angles; or, with moon and stars, by time:");
+    const Utc time = session.time.value_or(Utc{.year = 2024, .month = 6, .day = 21, .hour = 12});
     std::array<int, 3> date = {time.year, time.month, time.day};
     double hour = time.hour + time.minute / 60.0 + time.second / 3600.0;
     bool timed = ImGui::InputInt3("date", date.data());
@@ -113,30 +114,41 @@ void draw_sun(Session& session) {
     if (wished) viewer::set_time(session, *wished);  // else a day that is not, while it is typed
 }
 
-void choose_method(const char* label, AirMethodName& method) {
-    std::istringstream words{std::string(air_method_names)};
+// One of a list of words, as the function that reads them names it.
+template <class Name>
+void choose(const char* label, std::string_view words, std::optional<Name> (*named)(std::string_view), Name& chosen) {
+    std::istringstream list{std::string(words)};
     std::vector<std::string> names;
     std::string own;
-    for (std::string word; words >> word; names.push_back(word))
-        if (air_method_named(word) == method) own = word;
+    for (std::string word; list >> word; names.push_back(word))
+        if (named(word) == chosen) own = word;
     if (!ImGui::BeginCombo(label, own.c_str())) return;
     for (const std::string& name : names)
-        if (ImGui::Selectable(name.c_str(), name == own)) method = *air_method_named(name);
+        if (ImGui::Selectable(name.c_str(), name == own)) chosen = *named(name);
     ImGui::EndCombo();
 }
 
 void draw_methods(Session& session) {
     using Shown = viewer::Comparison::Shown;
     viewer::Comparison& comparison = session.comparison;
-    choose_method("method", session.air.method);
+    choose("method", air_method_names, air_method_named, session.air.method);
+    choose("shafts", shafts_names, shafts_named, session.air.shafts);
     int shown = static_cast<int>(comparison.shown);
     if (ImGui::Combo("compare", &shown, "no\0side by side\0difference\0")) comparison.shown = static_cast<Shown>(shown);
     if (comparison.shown == Shown::one) return;
-    choose_method("with", comparison.with);
+    choose("with", air_method_names, air_method_named, comparison.with);
     if (comparison.shown == Shown::side_by_side) return void(slide("edge", comparison.edge, 0.0, 1.0, "%.2f"));
     double percent = 100.0 * comparison.span;
     if (slide("full colour", percent, 0.1, 100.0, "%.1f %%", ImGuiSliderFlags_Logarithmic)) comparison.span = 0.01 * percent;
     text(faint, "red where the second is brighter, blue where it is darker");
+}
+
+// While no one types, it shows what there is.
+void type(TypedLine& line, const char* label, const char* hint, std::string& value) {
+    if (!line.active) line.text[value.copy(line.text.data(), line.text.size() - 1)] = '\0';
+    if (ImGui::InputTextWithHint(label, hint, line.text.data(), line.text.size(), ImGuiInputTextFlags_EnterReturnsTrue))
+        value = line.text.data();
+    line.active = ImGui::IsItemActive();
 }
 
 void draw_air(PanelState& state, Session& session) {
@@ -146,9 +158,9 @@ void draw_air(PanelState& state, Session& session) {
             if (ImGui::Selectable(std::string(name).c_str(), session.atmosphere == name)) session.atmosphere = name;
         ImGui::EndCombo();
     }
+    type(state.air, "or its file", "air.toml", session.atmosphere);
+    type(state.weather, "weather", "a METAR report, or its file", session.weather);
     draw_methods(session);
-    if (ImGui::InputText("air's file", state.air_file.data(), state.air_file.size(), ImGuiInputTextFlags_EnterReturnsTrue))
-        session.atmosphere = state.air_file.data();
 }
 
 void draw_look(viewer::Look& look, double ev100) {

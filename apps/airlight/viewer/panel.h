@@ -32,12 +32,18 @@ struct PanelFacts {
     std::optional<Result<viewer::Probe>> probe;  // the sky there; none: not yet
 };
 
+// A line of text, which counts once Enter is pressed.
+struct TypedLine {
+    std::array<char, 1024> text{};  // ends with a 0
+    bool active = false;
+};
+
 // What it keeps from frame to frame.
 struct PanelState {
     bool help = false, hidden = false;
     double seconds_to_key = 4.0;  // from the path's last key to the next one
     std::deque<float> frames_ms;
-    std::array<char, 1024> air_file{};
+    TypedLine air, weather;
 };
 
 // Draws it, and changes the session as its user wishes. Buttons set the same wishes as keys do.

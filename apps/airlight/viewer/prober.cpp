@@ -12,7 +12,8 @@ Prober::Prober(TableWishes wishes) : wishes_(std::move(wishes)) { wishes_.progre
 
 Prober::Answer Prober::answer_of(const Scene& scene, const viewer::ProbedView& view, std::optional<Model> model,
                                  const TableWishes& wishes) {
-    if (!model || model->scene.atmosphere != scene.atmosphere || !(model->scene.ground == scene.ground)) {
+    if (!model || model->scene.atmosphere != scene.atmosphere || model->scene.weather != scene.weather ||
+        !(model->scene.ground == scene.ground)) {
         const Result<std::optional<Atmosphere>> air = air_of(scene);
         if (!air) return {air.error(), {}};
         if (!*air) return {Error{"", "there is no air", "Choose one."}, {}};

@@ -31,9 +31,17 @@ std::optional<Atmosphere> atmosphere_of(const std::optional<Tables>& tables) {
     return tables ? std::optional(tables->atmosphere()) : std::nullopt;
 }
 
+// The colours of the air's light are those of the sun's distance when it was made. So far may they be apart, in parts of the distance:
+// 0.2 % of the light, some days of a year.
+constexpr double as_far = 1e-3;
+
+bool sun_is_as_far(const Scene& a, const Scene& b) { return std::abs(a.sun.distance_au / b.sun.distance_au - 1.0) < as_far; }
+
 }  // namespace
 
-AirJob::AirJob(const Scene& scene, const TableWishes& wishes) : atmosphere_(scene.atmosphere), how_far_("begins") {
+AirName air_name(const Scene& scene) { return {scene.atmosphere, scene.weather}; }
+
+AirJob::AirJob(const Scene& scene, const TableWishes& wishes) : name_(air_name(scene)), how_far_("begins") {
     TableWishes told = wishes;
     told.progress = {.report =
                          [this](std::string_view step, double fraction) {
@@ -65,7 +73,8 @@ Result<Stage::Passes> Stage::make_passes(const gpu::Context& context, const Heig
     if (!air) return air.error();
     Result<render::ShaftsPass> shafts = shafts_pass_of(atmosphere_of(tables), scene, width, height);
     if (!shafts) return shafts.error();
-    Result<render::Frame> frame = render::Frame::create(context, ground, colour, like, *std::move(air), *std::move(shafts));
+    Result<render::Frame> frame =
+        render::Frame::create(context, ground, colour, like, *std::move(air), *std::move(shafts), stars_of(scene));
     if (!frame) return frame.error();
     Result<render::ExposurePass> exposure = render::ExposurePass::create();
     if (!exposure) return exposure.error();
@@ -105,7 +114,7 @@ Stage::Stage(const gpu::Context& context, const Scene& scene, TableWishes wishes
       ground_(std::move(ground)),
       colour_(std::move(colour)),
       tables_(std::move(tables)),
-      wished_air_(scene.atmosphere),
+      wished_air_(air_name(scene)),
       passes_(std::move(passes)),
       exposure_of_one_(std::as_bytes(std::span(ones))) {}
 
@@ -113,14 +122,16 @@ Result<Done> Stage::remake(const Scene& scene) {
     HeightField ground = ground_;
     GroundColour colour = colour_;
     Scene next = scene;
-    next.atmosphere = scene_.atmosphere, next.air = scene_.air;  // follow_air() sees to the air
+    // What follows the session sees to the rest.
+    next.atmosphere = scene_.atmosphere, next.weather = scene_.weather, next.air = scene_.air, next.sun = scene_.sun;
+    next.stars = scene_.stars;
     if (!(scene.ground == scene_.ground)) {
         Result<HeightField> other = ground_of(scene);
         if (!other) return other.error();
         Result<GroundColour> other_colour = colour_of(scene);
         if (!other_colour) return other_colour.error();
         ground = *std::move(other), colour = *std::move(other_colour);
-        if (tables_ && scene.ground.radius_m != scene_.ground.radius_m) wished_air_.clear(), next.atmosphere.clear();
+        if (tables_ && scene.ground.radius_m != scene_.ground.radius_m) wished_air_ = {}, next.atmosphere.clear();
     }
     Result<Passes> passes = make_passes(*context_, ground, colour, tables_, next, width(), height());
     if (!passes) return passes.error();
@@ -140,32 +151,42 @@ Result<Done> Stage::resize(int width, int height) {
 
 // Begins to make the air that the session asks for, and takes it when it is there.
 void Stage::follow_air(const viewer::Session& session) {
-    if (session.atmosphere != wished_air_) {
-        wished_air_ = session.atmosphere;
+    const Scene scene = viewer::scene_of(session);
+    if (!(air_name(scene) == wished_air_)) {
+        wished_air_ = air_name(scene);
         air_failure_.clear();
         job_.reset();
-        if (wished_air_ != scene_.atmosphere) job_ = std::make_unique<AirJob>(viewer::scene_of(session), wishes_);
+        if (!(wished_air_ == air_name(scene_))) job_ = std::make_unique<AirJob>(scene, wishes_);
     }
     Result<Done> taken = Done{};
-    if (job_ && job_->ready()) taken = take_air(session, job_->take());
-    else if (!(session.air == scene_.air)) taken = take_air(session, tables_);
+    if (job_ && job_->ready()) {
+        Result<std::optional<Tables>> tables = job_->take();
+        job_.reset();
+        if (tables) taken = take_air(scene, *std::move(tables), wished_air_);
+        else taken = tables.error();
+    } else if (!(scene.air == scene_.air) || !sun_is_as_far(scene, scene_)) taken = take_air(scene, tables_, air_name(scene_));
     if (!taken) air_failure_ = taken.error().message();
 }
 
-Result<Done> Stage::take_air(const viewer::Session& session, Result<std::optional<Tables>> tables) {
-    job_.reset();
-    scene_.air = session.air;  // what fails is told once
-    if (!tables) return tables.error();
-    Result<std::optional<render::AirPass>> air = air_pass_of(*tables, viewer::scene_of(session));
+// The air of these tables, by the methods and under the sun of the scene.
+Result<Done> Stage::take_air(const Scene& scene, std::optional<Tables> tables, const AirName& name) {
+    scene_.air = scene.air, scene_.sun = scene.sun;  // what fails is told once
+    Result<std::optional<render::AirPass>> air = air_pass_of(tables, scene);
     if (!air) return air.error();
-    Result<render::ShaftsPass> shafts = shafts_pass_of(atmosphere_of(*tables), viewer::scene_of(session), width(), height());
+    Result<render::ShaftsPass> shafts = shafts_pass_of(atmosphere_of(tables), scene, width(), height());
     if (!shafts) return shafts.error();
     passes_.frame.exchange_air(*std::move(air));
     passes_.frame.exchange_shafts(*std::move(shafts));
     other_air_.reset();
-    tables_ = *std::move(tables);
-    scene_.atmosphere = session.atmosphere;
+    tables_ = std::move(tables);
+    scene_.atmosphere = name.atmosphere, scene_.weather = name.weather;
     return Done{};
+}
+
+void Stage::follow_stars(const viewer::Session& session) {
+    if (session.stars == scene_.stars) return;
+    scene_.stars = session.stars;
+    passes_.frame.take(stars_of(scene_));
 }
 
 // The picture of the other method of a comparison, copied before the session's own is drawn.
@@ -221,6 +242,7 @@ void Stage::develop(const viewer::Session& session) {
 
 Result<Done> Stage::draw(const viewer::Session& session, double seconds) {
     follow_air(session);
+    follow_stars(session);
     const Camera camera = viewer::camera_of(session, width(), height());
     const render::Lights lights = lights_of(viewer::scene_of(session));
     times_.clear();
@@ -259,7 +281,8 @@ double Stage::luminance_at(double x, double y) const {
 
 std::optional<std::string> Stage::at_work() const {
     if (!job_) return std::nullopt;
-    return fmt::format("the air {}: {}", job_->atmosphere(), job_->how_far());
+    const AirName& name = job_->name();
+    return fmt::format("the air {}{}: {}", name.atmosphere, name.weather.empty() ? "" : " in its weather", job_->how_far());
 }
 
 }  // namespace airlight::cli

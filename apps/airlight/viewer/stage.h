@@ -20,6 +20,14 @@
 
 namespace airlight::cli {
 
+// Which air a scene has.
+struct AirName {
+    std::string atmosphere, weather;  // as in a scene
+
+    friend bool operator==(const AirName&, const AirName&) = default;
+};
+AirName air_name(const Scene& scene);
+
 // The air's tables on their way: baked, or loaded, on other threads.
 class AirJob {
 public:
@@ -28,14 +36,14 @@ public:
     AirJob(const AirJob&) = delete;
     AirJob& operator=(const AirJob&) = delete;
 
-    const std::string& atmosphere() const { return atmosphere_; }
+    const AirName& name() const { return name_; }
     bool ready() const;
     Result<std::optional<Tables>> take() { return tables_.get(); }
     // "second order, 40 %"
     std::string how_far() const;
 
 private:
-    std::string atmosphere_;
+    AirName name_;
     std::stop_source stop_;
     mutable std::mutex mutex_;
     std::string how_far_;
@@ -93,7 +101,8 @@ private:
     Stage(const gpu::Context& context, const Scene& scene, TableWishes wishes, HeightField ground, GroundColour colour,
           std::optional<Tables> tables, Passes passes);
     void follow_air(const viewer::Session& session);
-    Result<Done> take_air(const viewer::Session& session, Result<std::optional<Tables>> tables);
+    Result<Done> take_air(const Scene& scene, std::optional<Tables> tables, const AirName& name);
+    void follow_stars(const viewer::Session& session);
     Result<Done> draw_second(const viewer::Session& session, const Camera& camera, const render::Lights& lights);
     void expose(const viewer::Session& session, double seconds);
     void develop(const viewer::Session& session);
@@ -104,7 +113,8 @@ private:
     HeightField ground_;
     GroundColour colour_;
     std::optional<Tables> tables_;
-    std::string wished_air_, air_failure_;
+    AirName wished_air_;
+    std::string air_failure_;
     std::unique_ptr<AirJob> job_;
     Passes passes_;
     std::optional<render::AirPass> other_air_;  // of a comparison
