@@ -2,6 +2,7 @@
 // Uses the passes of this module and image.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -20,9 +21,10 @@ namespace airlight::render {
 class Frame {
 public:
     // For pictures of this size and field of view, under these stars; `context` outlives it. Without `shafts` nothing casts a shadow; shafts that have an air
-    // need `air`.
+    // need `air`. `tiles`: of the same ground in the same colours, those of another frame; without them, they are built.
     static Result<Frame> create(const gpu::Context& context, const HeightField& ground, GroundColour colour, const Camera& like,
-                                std::optional<AirPass> air, std::optional<ShaftsPass> shafts = {}, std::span<const Star> stars = {});
+                                std::optional<AirPass> air, std::optional<ShaftsPass> shafts = {}, std::span<const Star> stars = {},
+                                std::shared_ptr<TileStore> tiles = {});
 
     // Red, green and blue of each pixel: with air, in cd m-2, and the lights' irradiances do not count; without, in the unit
     // of the lights a steradian, black where there is nothing. The camera has the size that the frame was made for. Fails if the GPU was
@@ -48,6 +50,7 @@ public:
     // Of the last picture.
     const std::vector<gpu::PassTime>& times() const { return times_; }
     const TerrainCount& terrain() const { return terrain_.count(); }
+    const std::shared_ptr<TileStore>& tiles() const { return terrain_.tiles(); }
 
 private:
     Frame(const gpu::Context& context, TerrainPass terrain, LightPass light, std::optional<AirPass> air, ShadowPass shadows,

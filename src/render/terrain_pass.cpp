@@ -40,18 +40,23 @@ Place place_of(const Node& node, std::size_t slot, double radius_m) {
 }  // namespace
 
 Result<TerrainPass> TerrainPass::create(const HeightField& field, DetailSettings detail, TerrainMemory memory, GroundColour colour) {
+    return create(field, detail, memory, std::make_shared<TileStore>(field, memory.tiles_bytes, std::move(colour)));
+}
+
+Result<TerrainPass> TerrainPass::create(const HeightField& field, DetailSettings detail, TerrainMemory memory,
+                                        std::shared_ptr<TileStore> tiles) {
     Result<gpu::Program> made = program("terrain.vert", "terrain.frag");
     if (!made) return made.error();
     Result<gpu::Program> shadow = program("terrain_shadow.vert", "depth.frag");
     if (!shadow) return shadow.error();
     const LevelReach reach = level_reach(field, detail);
-    return TerrainPass(field, reach, memory, std::move(colour), std::move(*made), std::move(*shadow));
+    return TerrainPass(field, reach, memory, std::move(tiles), std::move(*made), std::move(*shadow));
 }
 
-TerrainPass::TerrainPass(const HeightField& field, const LevelReach& reach, TerrainMemory memory, GroundColour colour, gpu::Program made,
-                         gpu::Program shadow)
+TerrainPass::TerrainPass(const HeightField& field, const LevelReach& reach, TerrainMemory memory, std::shared_ptr<TileStore> tiles,
+                         gpu::Program made, gpu::Program shadow)
     : tree_(field, reach),
-      store_(std::make_unique<TileStore>(field, memory.tiles_bytes, std::move(colour))),
+      store_(std::move(tiles)),
       program_(std::move(made)),
       shadow_program_(std::move(shadow)),
       tiles_(static_cast<std::size_t>(memory.gpu_tiles) * tile_bytes),

@@ -2,6 +2,7 @@
 // Uses terrain and gpu.
 #pragma once
 
+#include <memory>
 #include <unordered_map>
 
 #include "gpu/buffer.h"
@@ -26,6 +27,9 @@ class TerrainPass {
 public:
     static Result<TerrainPass> create(const HeightField& field, DetailSettings detail, TerrainMemory memory = {},
                                       GroundColour colour = ground_colour);
+    // The same with tiles of this field that are there already: those of another pass.
+    static Result<TerrainPass> create(const HeightField& field, DetailSettings detail, TerrainMemory memory,
+                                      std::shared_ptr<TileStore> tiles);
 
     // Draws what the camera sees, as finely as `detail` asks; tiles that are missing are built first. A geometry buffer has begun,
     // and a CameraBlock of the same camera is bound.
@@ -39,20 +43,21 @@ public:
     const TerrainCount& count() const { return count_; }
     const Quadtree& quadtree() const { return tree_; }
     std::size_t tiles_bytes() const { return store_->bytes(); }
+    const std::shared_ptr<TileStore>& tiles() const { return store_; }
 
 private:
     struct Slot {
         Node node;
         std::size_t used = 0;  // in which batch; 0 never
     };
-    TerrainPass(const HeightField& field, const LevelReach& reach, TerrainMemory memory, GroundColour colour, gpu::Program program,
-                gpu::Program shadow_program);
+    TerrainPass(const HeightField& field, const LevelReach& reach, TerrainMemory memory, std::shared_ptr<TileStore> tiles,
+                gpu::Program program, gpu::Program shadow_program);
     void draw_patches(std::span<const Node> nodes);
     void draw_batch(std::span<const Node> nodes);
     std::size_t slot_of(const Node& node);
 
     Quadtree tree_;
-    std::unique_ptr<TileStore> store_;
+    std::shared_ptr<TileStore> store_;
     gpu::Program program_, shadow_program_;
     gpu::Buffer tiles_, places_, reach_, indices_;
     gpu::VertexArray triangles_;

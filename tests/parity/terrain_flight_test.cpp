@@ -29,13 +29,19 @@ struct Frame {
 class Scene {
 public:
     Scene(int width, int height, const HeightField& field, render::TerrainMemory memory = {})
+        : Scene(width, height, must(render::TerrainPass::create(field, detail(height), memory))) {}
+    // Of the ground of another.
+    Scene(int width, int height, const Scene& other)
+        : Scene(width, height,
+                must(render::TerrainPass::create(other.terrain_.quadtree().field(), detail(height), {}, other.terrain_.tiles()))) {}
+    Scene(int width, int height, render::TerrainPass terrain)
         : width_(width),
           height_(height),
           light_texture_({width, height}),
           surfaces_(must(render::GeometryBuffer::create(width, height))),
           target_(must(gpu::Framebuffer::create({&light_texture_}))),
           light_(must(render::LightPass::create())),
-          terrain_(must(render::TerrainPass::create(field, detail(height), memory))) {}
+          terrain_(std::move(terrain)) {}
 
     Frame draw(Camera camera, Vec3 towards_sun, Culling culling = {}) {
         camera.width = width_, camera.height = height_;
@@ -238,4 +244,22 @@ TEST_CASE("culling changes no pixel") {
         CHECK((culled.depth == whole.depth));
         CHECK((culled.light == whole.light));
     }
+}
+
+TEST_CASE("a pass that is made anew, for the same size or another, takes over the tiles, and draws what it would with its own") {
+    const GpuCase gpu_case;
+    if (!gpu_case) return;
+    const HeightField field = procedural_height({});
+    const Camera camera = camera_at(field, 3e3);
+    Scene first(64, 36, field);
+    const Frame before = first.draw(camera, camera.up);
+    CHECK(first.terrain().count().built > 0);
+    Scene again(64, 36, first);
+    const Frame after = again.draw(camera, camera.up);
+    CHECK(again.terrain().count().built == 0);
+    CHECK((after.depth == before.depth));
+    CHECK((after.colour == before.colour));
+    Scene larger(96, 54, first), own(96, 54, field);
+    CHECK((larger.draw(camera, camera.up).depth == own.draw(camera, camera.up).depth));
+    CHECK(larger.terrain().count().built < own.terrain().count().built);
 }

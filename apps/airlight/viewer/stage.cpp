@@ -64,17 +64,14 @@ std::string AirJob::how_far() const {
     return how_far_;
 }
 
-Result<Stage::Passes> Stage::make_passes(const gpu::Context& context, const HeightField& ground, const GroundColour& colour,
-                                         const std::optional<Tables>& tables, const Scene& scene, int width, int height) {
+Result<Stage::Passes> Stage::make_passes(const gpu::Context& context, const Made& made, int width, int height) {
     Camera like{};
     like.width = width, like.height = height;
-    like.vertical_field_of_view = scene.camera.vertical_field_of_view;
-    Result<std::optional<render::AirPass>> air = air_pass_of(tables, scene);
-    if (!air) return air.error();
-    Result<render::ShaftsPass> shafts = shafts_pass_of(atmosphere_of(tables), scene, width, height);
+    like.vertical_field_of_view = made.scene.camera.vertical_field_of_view;
+    Result<render::ShaftsPass> shafts = shafts_pass_of(atmosphere_of(made.tables), made.scene, width, height);
     if (!shafts) return shafts.error();
     Result<render::Frame> frame =
-        render::Frame::create(context, ground, colour, like, *std::move(air), *std::move(shafts), stars_of(scene));
+        render::Frame::create(context, made.ground, made.colour, like, {}, *std::move(shafts), stars_of(made.scene), made.tiles);
     if (!frame) return frame.error();
     Result<render::ExposurePass> exposure = render::ExposurePass::create();
     if (!exposure) return exposure.error();
@@ -101,8 +98,11 @@ Result<Stage> Stage::create(const gpu::Context& context, const Scene& scene, int
     if (!colour) return colour.error();
     Result<std::optional<Tables>> tables = tables_of_scene(scene, wishes);
     if (!tables) return tables.error();
-    Result<Passes> passes = make_passes(context, *ground, *colour, *tables, scene, width, height);
+    Result<std::optional<render::AirPass>> air = air_pass_of(*tables, scene);
+    if (!air) return air.error();
+    Result<Passes> passes = make_passes(context, {scene, *ground, *colour, *tables}, width, height);
     if (!passes) return passes.error();
+    passes->frame.exchange_air(*std::move(air));
     return Stage(context, scene, wishes, *ground, *colour, *std::move(tables), std::move(*passes));
 }
 
@@ -121,6 +121,7 @@ Stage::Stage(const gpu::Context& context, const Scene& scene, TableWishes wishes
 Result<Done> Stage::remake(const Scene& scene) {
     HeightField ground = ground_;
     GroundColour colour = colour_;
+    std::shared_ptr<TileStore> tiles = passes_.frame.tiles();
     Scene next = scene;
     // What follows the session sees to the rest.
     next.atmosphere = scene_.atmosphere, next.weather = scene_.weather, next.air = scene_.air, next.sun = scene_.sun;
@@ -131,10 +132,14 @@ Result<Done> Stage::remake(const Scene& scene) {
         Result<GroundColour> other_colour = colour_of(scene);
         if (!other_colour) return other_colour.error();
         ground = *std::move(other), colour = *std::move(other_colour);
+        tiles.reset();
         if (tables_ && scene.ground.radius_m != scene_.ground.radius_m) wished_air_ = {}, next.atmosphere.clear();
     }
-    Result<Passes> passes = make_passes(*context_, ground, colour, tables_, next, width(), height());
+    Result<std::optional<render::AirPass>> air = air_pass_of(tables_, next);
+    if (!air) return air.error();
+    Result<Passes> passes = make_passes(*context_, {next, ground, colour, tables_, tiles}, width(), height());
     if (!passes) return passes.error();
+    passes->frame.exchange_air(*std::move(air));
     passes_ = std::move(*passes);
     other_air_.reset();
     ground_ = std::move(ground), colour_ = std::move(colour), scene_ = std::move(next);
@@ -142,10 +147,10 @@ Result<Done> Stage::remake(const Scene& scene) {
 }
 
 Result<Done> Stage::resize(int width, int height) {
-    Result<Passes> passes = make_passes(*context_, ground_, colour_, tables_, scene_, width, height);
+    Result<Passes> passes = make_passes(*context_, {scene_, ground_, colour_, tables_, passes_.frame.tiles()}, width, height);
     if (!passes) return passes.error();
+    passes->frame.exchange_air(passes_.frame.exchange_air({}));
     passes_ = std::move(*passes);
-    other_air_.reset();
     return Done{};
 }
 

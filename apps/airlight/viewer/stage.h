@@ -61,9 +61,9 @@ public:
     // made.
     Result<Done> draw(const viewer::Session& session, double seconds);
 
-    // The passes anew, from shaders as they are now; the ground of a scene, if it is another.
+    // The passes anew, from shaders as they are now; the ground of a scene, if it is another, else its tiles stay.
     Result<Done> remake(const Scene& scene);
-    // For pictures of another size.
+    // For pictures of another size; the ground's tiles and the air stay.
     Result<Done> resize(int width, int height);
 
     // As a display of 8 bits shows it, its lowest row first; and its light, in cd m-2 of sRGB's primaries, the highest row first.
@@ -96,8 +96,16 @@ private:
         gpu::Texture levels;
         gpu::Framebuffer target;
     };
-    static Result<Passes> make_passes(const gpu::Context& context, const HeightField& ground, const GroundColour& colour,
-                                      const std::optional<Tables>& tables, const Scene& scene, int width, int height);
+    // What passes are made for; `tiles` of this ground, if they are there.
+    struct Made {
+        const Scene& scene;
+        const HeightField& ground;
+        const GroundColour& colour;
+        const std::optional<Tables>& tables;
+        std::shared_ptr<TileStore> tiles = {};
+    };
+    // Without air, which the frame takes in exchange for none.
+    static Result<Passes> make_passes(const gpu::Context& context, const Made& made, int width, int height);
     Stage(const gpu::Context& context, const Scene& scene, TableWishes wishes, HeightField ground, GroundColour colour,
           std::optional<Tables> tables, Passes passes);
     void follow_air(const viewer::Session& session);
