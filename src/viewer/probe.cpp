@@ -46,7 +46,8 @@ Result<Probe> probed(const Sky& sky, const ColourWeights& colour, const ProbedVi
     if (!there) return there.error();
     Result<std::vector<float>> plane = sun_plane_of(sky, colour, view);
     if (!plane) return plane.error();
-    return Probe{colour.to_xyz(there->radiance_W_m2_sr_nm).y, evenly(sky.wavelengths(), there->radiance_W_m2_sr_nm), *std::move(plane)};
+    return Probe{colour.to_xyz(there->radiance_W_m2_sr_nm).y, sky.wavelengths().front().in(nm),
+                 evenly(sky.wavelengths(), there->radiance_W_m2_sr_nm), *std::move(plane)};
 }
 
 }  // namespace airlight::viewer

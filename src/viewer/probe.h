@@ -25,6 +25,7 @@ inline constexpr double spectrum_step_nm = 5.0, sun_plane_step_deg = 2.0;
 // Without surfaces and the sun's disk.
 struct Probe {
     double luminance;             // there, cd m-2
+    double first_nm;              // the spectrum's first wavelength
     std::vector<float> spectrum;  // there, W m-2 sr-1 nm-1, each 5 nm from the sky's first wavelength, straight between its own
     // cd m-2, each 2 degrees from the horizon under the sun over the zenith to the other one.
     std::vector<float> sun_plane;

@@ -28,7 +28,7 @@ struct Look {
 struct Comparison {
     enum class Shown { one, side_by_side, difference };
     Shown shown = Shown::one;
-    AirMethodName with = AirMethodName::exact;
+    AirMethodName with = AirMethodName::hillaire2020;  // in real time, as the default is
     double edge = 0.5;  // side by side: the share of the picture's width that is the session's own method
     double span = 0.1;  // difference: the share of luminance whose colour is full
 };

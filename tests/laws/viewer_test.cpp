@@ -375,6 +375,50 @@ TEST_CASE("a path that cannot be written is told, kept and written when it can b
     CHECK(*read_file(file) == "precious = 1\n");
 }
 
+TEST_CASE("keys that cannot be written into the path's file are kept in the refuge, one file for each path, until they can be") {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path / "later/path.toml", refuge = folder.path / "state/airlight";
+    PathEdit edit = *PathEdit::open(file, refuge), other = *PathEdit::open(folder.path / "later/other.toml", refuge);
+    CHECK(!edit.add({}, 1.0));
+    CHECK(!other.add({}, 1.0));
+    CHECK(!edit.add({}, 1.0));
+    CHECK(edit.kept_in() == refuge / "path-0001.toml");
+    CHECK(other.kept_in() == refuge / "path-0002.toml");
+    CHECK(read_camera_path(edit.kept_in())->keys == edit.keys());
+    std::filesystem::create_directories(file.parent_path());
+    REQUIRE(edit.save());
+    CHECK(edit.kept_in().empty());
+    CHECK(!std::filesystem::exists(refuge / "path-0001.toml"));
+    CHECK(read_camera_path(file)->keys == edit.keys());
+}
+
+TEST_CASE("what another program writes into a path's file is one more edit; what is no path is not overwritten") {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path / "path.toml", refuge = folder.path / "state";
+    PathEdit edit = *PathEdit::open(file, refuge);
+    REQUIRE(edit.add({0.0, {.altitude_m = 100.0}}, 1.0));
+    REQUIRE(write_file(file, camera_path_text({{{0.0, {.altitude_m = 300.0}}, {2.0, {.altitude_m = 400.0}}}})));
+    REQUIRE(edit.follow());
+    REQUIRE(edit.keys().size() == 2);
+    // A key goes behind what is there, seen or not.
+    REQUIRE(write_file(file, camera_path_text({{{0.0, {.altitude_m = 300.0}}, {5.0, {.altitude_m = 400.0}}}})));
+    REQUIRE(edit.add({0.0, {.altitude_m = 200.0}}, 1.0));
+    CHECK(edit.keys().back().time_s == 6.0);
+    CHECK(read_camera_path(file)->keys == edit.keys());
+    for (int i = 0; i < 3; ++i) REQUIRE(edit.undo());
+    CHECK(edit.keys().size() == 1);
+    REQUIRE(write_file(file, std::string_view("[[key]]\ntime_s = \n")));
+    CHECK(!edit.follow());
+    CHECK(!edit.add({0.0, {.altitude_m = 50.0}}, 1.0));
+    CHECK(edit.keys().size() == 2);
+    CHECK(*read_file(file) == "[[key]]\ntime_s = \n");
+    CHECK(read_camera_path(edit.kept_in())->keys == edit.keys());
+    // One that went is written anew.
+    std::filesystem::remove(file);
+    REQUIRE(edit.save());
+    CHECK(read_camera_path(file)->keys == edit.keys());
+}
+
 TEST_CASE("a key on the other side of the planet from the last is refused, and the path stays") {
     const TemporaryFolder folder;
     PathEdit edit = *PathEdit::open(folder.path / "path.toml");

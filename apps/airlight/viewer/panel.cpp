@@ -18,7 +18,7 @@ namespace {
 
 using viewer::Session;
 
-constexpr float panel_width = 360.0f;
+constexpr float panel_width = 360.0f, graph_width = panel_width - 24.0f;
 constexpr std::size_t kept_frames = 120;
 const ImVec4 wrong{1.0f, 0.55f, 0.45f, 1.0f}, faint{0.65f, 0.65f, 0.65f, 1.0f};
 
@@ -97,7 +97,7 @@ void draw_sun(Session& session) {
     bool placed = slide_angle("sun zenith", sun.zenith, 0.0, 180.0);
     placed |= slide_angle("sun azimuth", sun.azimuth, 0.0, 360.0);
     if (placed) viewer::place_sun(session, sun);
-    if (!session.time) text(faint, "placed by its angles; or, with moon and stars, by time:");
+    text(faint, session.time ? "by time" : "by its angles; or by time:");
     const Utc time = session.time.value_or(Utc{.year = 2024, .month = 6, .day = 21, .hour = 12});
     std::array<int, 3> date = {time.year, time.month, time.day};
     double hour = time.hour + time.minute / 60.0 + time.second / 3600.0;
@@ -137,7 +137,10 @@ void draw_methods(Session& session) {
     if (ImGui::Combo("compare", &shown, "no\0side by side\0difference\0")) comparison.shown = static_cast<Shown>(shown);
     if (comparison.shown == Shown::one) return;
     choose("with", air_method_names, air_method_named, comparison.with);
-    if (comparison.shown == Shown::side_by_side) return void(slide("edge", comparison.edge, 0.0, 1.0, "%.2f"));
+    if (comparison.shown == Shown::side_by_side) {
+        slide("edge", comparison.edge, 0.0, 1.0, "%.2f");
+        return text(faint, "left of it the method, right of it the other");
+    }
     double percent = 100.0 * comparison.span;
     if (slide("full colour", percent, 0.1, 100.0, "%.1f %%", ImGuiSliderFlags_Logarithmic)) comparison.span = 0.01 * percent;
     text(faint, "red where the second is brighter, blue where it is darker");
@@ -158,7 +161,9 @@ void draw_air(PanelState& state, Session& session) {
             if (ImGui::Selectable(std::string(name).c_str(), session.atmosphere == name)) session.atmosphere = name;
         ImGui::EndCombo();
     }
-    type(state.air, "or its file", "air.toml", session.atmosphere);
+    std::string air = session.atmosphere;
+    type(state.air, "or its file", "air.toml", air);
+    if (!air.empty()) session.atmosphere = air;
     type(state.weather, "weather", "a METAR report, or its file", session.weather);
     draw_methods(session);
 }
@@ -191,23 +196,61 @@ void draw_path(PanelState& state, const PanelFacts& facts, Input& input) {
     text(faint, facts.path_file);
 }
 
-void plot(const char* label, const std::vector<float>& values, const std::string& overlay, float height) {
-    ImGui::PlotLines(label, values.data(), static_cast<int>(values.size()), 0, overlay.c_str(), 0.0f, FLT_MAX,
-                     ImVec2(panel_width - 24.0f, height));
+// A place of a graph's lower edge, as a share of its width, and what stands below it.
+struct Tick {
+    float at;
+    std::string label;
+};
+
+// Values from 0 to the highest, at even steps.
+void draw_graph(const std::vector<float>& values, const std::vector<Tick>& ticks) {
+    const float height = 80.0f, label_height = ImGui::GetTextLineHeight();
+    const ImVec2 from = ImGui::GetCursorScreenPos(), to{from.x + graph_width, from.y + height};
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    for (const Tick& tick : ticks) {
+        const float x = from.x + tick.at * graph_width, wide = ImGui::CalcTextSize(tick.label.c_str()).x;
+        draw.AddLine({x, from.y}, {x, to.y}, ImGui::GetColorU32(ImGuiCol_TextDisabled, 0.4f));
+        draw.AddText({std::clamp(x - 0.5f * wide, from.x, to.x - wide), to.y}, ImGui::GetColorU32(faint), tick.label.c_str());
+    }
+    const float highest = std::max(*std::max_element(values.begin(), values.end()), FLT_MIN);
+    std::vector<ImVec2> line;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        line.emplace_back(from.x + graph_width * static_cast<float>(i) / static_cast<float>(values.size() - 1),
+                          to.y - (height - 2.0f) * values[i] / highest);
+    draw.AddPolyline(line.data(), static_cast<int>(line.size()), ImGui::GetColorU32(ImGuiCol_PlotLines), 0, 1.5f);
+    ImGui::Dummy({graph_width, height + label_height});
 }
 
-void draw_probe(const PanelFacts& facts) {
-    if (!facts.probed_picture) return text(faint, "click into the picture");
-    text(fmt::format("picture there: {:.4g} cd m-2", *facts.probed_picture));
-    if (!facts.probe) return text(faint, "the sky is being computed");
-    if (!*facts.probe) return text(wrong, facts.probe->error().message());
-    const viewer::Probe& probe = **facts.probe;
-    text(fmt::format("sky there, by airlight on the CPU: {:.4g} cd m-2", probe.luminance));
-    const auto highest = [](const std::vector<float>& v) { return *std::max_element(v.begin(), v.end()); };
-    plot("##spectrum", probe.spectrum, fmt::format("radiance there, 0 to {:.3g} W m-2 sr-1 nm-1", highest(probe.spectrum)), 70.0f);
-    text(faint, "360 to 830 nm");
-    plot("##plane", probe.sun_plane, fmt::format("sky in the sun's plane, 0 to {:.3g} cd m-2", highest(probe.sun_plane)), 70.0f);
-    text(faint, "from the horizon under the sun over the zenith to the other");
+double highest(const std::vector<float>& values) { return static_cast<double>(*std::max_element(values.begin(), values.end())); }
+
+void draw_probe_graphs(const viewer::Probe& probe) {
+    text(fmt::format("its spectrum, up to {:.3g} W m-2 sr-1 nm-1", highest(probe.spectrum)));
+    std::vector<Tick> wavelengths;
+    for (const double nm_there : {400.0, 500.0, 600.0, 700.0, 800.0})
+        wavelengths.push_back(
+            {static_cast<float>((nm_there - probe.first_nm) / (viewer::spectrum_step_nm * static_cast<double>(probe.spectrum.size() - 1))),
+             fmt::format("{:.0f} nm", nm_there)});
+    draw_graph(probe.spectrum, wavelengths);
+    text(fmt::format("the sky in the sun's plane, up to {:.3g} cd m-2", highest(probe.sun_plane)));
+    draw_graph(probe.sun_plane, {{0.0f, "sunward"}, {0.25f, "45 deg"}, {0.5f, "zenith"}, {0.75f, "45 deg"}, {1.0f, "away"}});
+}
+
+// A window of its own beside the picture's lower right corner, once something was probed.
+void draw_probe(bool& open, const PanelFacts& facts) {
+    if (!open || !facts.probed_picture) return;
+    const ImVec2 all = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({all.x - 10.0f, all.y - 10.0f}, ImGuiCond_Always, {1.0f, 1.0f});
+    if (ImGui::Begin("Probe", &open, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse)) {
+        text(fmt::format("{:>10.4g} cd m-2 in the picture", *facts.probed_picture));
+        if (!facts.probe) text(faint, "the sky there is being computed");
+        else if (!*facts.probe) text(wrong, facts.probe->error().message());
+        else {
+            text(fmt::format("{:>10.4g} cd m-2 of sky there, on the CPU", (*facts.probe)->luminance));
+            draw_probe_graphs(**facts.probe);
+        }
+    }
+    ImGui::End();
 }
 
 void draw_times(PanelState& state, const PanelFacts& facts) {
@@ -220,8 +263,7 @@ void draw_times(PanelState& state, const PanelFacts& facts) {
     state.frames_ms.push_back(static_cast<float>(all));
     if (state.frames_ms.size() > kept_frames) state.frames_ms.pop_front();
     const std::vector<float> kept(state.frames_ms.begin(), state.frames_ms.end());
-    plot("##frames", kept, fmt::format("0 to {:.1f} ms, the last {} frames", *std::max_element(kept.begin(), kept.end()), kept.size()),
-         50.0f);
+    if (kept.size() > 1) draw_graph(kept, {{0.0f, fmt::format("the last {} frames, up to {:.1f} ms", kept.size(), highest(kept))}});
     text(faint, facts.device);
 }
 
@@ -241,6 +283,17 @@ void draw_help(bool& open) {
     ImGui::End();
 }
 
+void draw_leave(PanelState& state) {
+    if (state.asks_to_leave) ImGui::OpenPopup("Leave?");
+    state.asks_to_leave = false;
+    if (!ImGui::BeginPopupModal("Leave?", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+    text("The last keys of the camera's path are on no disk.");
+    if (ImGui::Button("stay")) ImGui::CloseCurrentPopup();
+    ImGui::SameLine();
+    state.leaves = ImGui::Button("leave, and lose them");
+    ImGui::EndPopup();
+}
+
 bool section(const char* name, bool open = true) { return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0); }
 
 }  // namespace
@@ -248,7 +301,10 @@ bool section(const char* name, bool open = true) { return ImGui::CollapsingHeade
 void draw_panel(PanelState& state, const PanelFacts& facts, Session& session, const HeightField& ground, Input& input) {
     state.help ^= input.help, state.hidden ^= input.hide_panel;
     if (state.help) draw_help(state.help);
+    draw_leave(state);
     if (state.hidden) return;
+    state.probe |= input.clicked.has_value();
+    draw_probe(state.probe, facts);
     ImGui::SetNextWindowPos(ImVec2(10.0f, 10.0f), ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSizeConstraints(ImVec2(panel_width, 0.0f), ImVec2(panel_width, ImGui::GetIO().DisplaySize.y - 20.0f));
     ImGui::Begin("Airlight (F1: help)", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
@@ -264,8 +320,7 @@ void draw_panel(PanelState& state, const PanelFacts& facts, Session& session, co
         input.exr |= ImGui::Button("save EXR");
     }
     if (section("Path", false)) draw_path(state, facts, input);
-    if (section("Probe", facts.probed_picture.has_value())) draw_probe(facts);
-    if (section("Time", false)) draw_times(state, facts);
+    if (section("Frame times", false)) draw_times(state, facts);
     ImGui::PopItemWidth();
     ImGui::End();
 }

@@ -40,7 +40,9 @@ struct TypedLine {
 
 // What it keeps from frame to frame.
 struct PanelState {
-    bool help = false, hidden = false;
+    bool help = false, hidden = false, probe = false;
+    bool asks_to_leave = false;   // whether keys may be lost
+    bool leaves = false;          // they may
     double seconds_to_key = 4.0;  // from the path's last key to the next one
     std::deque<float> frames_ms;
     TypedLine air, weather;

@@ -10,34 +10,40 @@ namespace airlight::cli {
 
 Prober::Prober(TableWishes wishes) : wishes_(std::move(wishes)) { wishes_.progress = {}; }
 
-Prober::Answer Prober::answer_of(const Scene& scene, const viewer::ProbedView& view, std::optional<Model> model,
-                                 const TableWishes& wishes) {
-    if (!model || model->scene.atmosphere != scene.atmosphere || model->scene.weather != scene.weather ||
-        !(model->scene.ground == scene.ground)) {
-        const Result<std::optional<Atmosphere>> air = air_of(scene);
+bool Prober::answers(const Model& model, const Wish& wish) {
+    const Scene &made = model.made_for.scene, &wished = wish.scene;
+    return made.atmosphere == wished.atmosphere && made.weather == wished.weather && made.ground == wished.ground &&
+           model.made_for.air == wish.air;
+}
+
+Prober::Answer Prober::answer_of(const Wish& wish, std::optional<Model> model, const TableWishes& wishes) {
+    if (!model || !answers(*model, wish)) {
+        const Result<std::optional<Atmosphere>> air = air_of(wish.scene);
         if (!air) return {air.error(), {}};
         if (!*air) return {Error{"", "there is no air", "Choose one."}, {}};
         const WavelengthGrid grid = WavelengthGrid::standard();
         Result<std::unique_ptr<Sky>> sky =
             make_sky("airlight", **air, {grid.begin(), grid.end()}, {.bake = wishes.bake, .cache = wishes.cache});
         if (!sky) return {sky.error(), {}};
-        model = Model{scene, *std::move(sky), std::make_shared<const ColourWeights>(grid, (*air)->sun.irradiance)};
+        model = Model{wish, *std::move(sky), std::make_shared<const ColourWeights>(grid, (*air)->sun.irradiance)};
     }
-    return {viewer::probed(*model->sky, *model->colour, view), model};
+    return {viewer::probed(*model->sky, *model->colour, wish.view), model};
 }
 
+void Prober::begin(const Wish& wish) { coming_ = std::async(std::launch::async, answer_of, wish, model_, wishes_); }
+
 void Prober::ask(const Scene& scene, const viewer::ProbedView& view) {
-    if (coming_.valid()) model_ = coming_.get().model;  // one at a time
     answer_.reset();
-    coming_ = std::async(std::launch::async, answer_of, scene, view, model_, wishes_);
+    next_ = Wish{scene, view, airs_};
 }
 
 const std::optional<Result<viewer::Probe>>& Prober::answer() {
     if (coming_.valid() && coming_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
         Answer there = coming_.get();
         model_ = std::move(there.model);
-        answer_ = std::move(there.probe);
+        if (!next_) answer_ = std::move(there.probe);
     }
+    if (next_ && !coming_.valid()) begin(*std::exchange(next_, std::nullopt));
     return answer_;
 }
 

@@ -44,7 +44,8 @@ AirName air_name(const Scene& scene) { return {scene.atmosphere, scene.weather};
 AirJob::AirJob(const Scene& scene, const TableWishes& wishes) : name_(air_name(scene)), how_far_("begins") {
     TableWishes told = wishes;
     told.progress = {.report =
-                         [this](std::string_view step, double fraction) {
+                         [this, tell = wishes.progress](std::string_view step, double fraction) {
+                             tell.report(step, fraction);
                              const std::lock_guard lock(mutex_);
                              how_far_ = fmt::format("{}, {:.0f} %", step, 100.0 * fraction);
                          },
@@ -57,7 +58,7 @@ AirJob::~AirJob() {
     if (tables_.valid()) tables_.wait();
 }
 
-bool AirJob::ready() const { return tables_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
+bool AirJob::ready(std::chrono::milliseconds patience) const { return tables_.wait_for(patience) == std::future_status::ready; }
 
 std::string AirJob::how_far() const {
     const std::lock_guard lock(mutex_);
@@ -91,23 +92,27 @@ Result<Stage::Passes> Stage::make_passes(const gpu::Context& context, const Made
                   std::move(second), std::move(compared),  std::move(*compared_target), std::move(levels), std::move(*target)};
 }
 
-Result<Stage> Stage::create(const gpu::Context& context, const Scene& scene, int width, int height, const TableWishes& wishes) {
+Result<Stage> Stage::create(const gpu::Context& context, const Scene& scene, int width, int height, const TableWishes& wishes,
+                            std::chrono::milliseconds patience) {
     const Result<HeightField> ground = ground_of(scene);
     if (!ground) return ground.error();
     const Result<GroundColour> colour = colour_of(scene);
     if (!colour) return colour.error();
-    Result<std::optional<Tables>> tables = tables_of_scene(scene, wishes);
+    if (const Result<std::optional<Atmosphere>> named = air_of(scene); !named) return named.error();
+    auto job = std::make_unique<AirJob>(scene, wishes);
+    Result<std::optional<Tables>> tables = std::optional<Tables>();
+    if (job->ready(patience)) tables = std::exchange(job, nullptr)->take();
     if (!tables) return tables.error();
     Result<std::optional<render::AirPass>> air = air_pass_of(*tables, scene);
     if (!air) return air.error();
     Result<Passes> passes = make_passes(context, {scene, *ground, *colour, *tables}, width, height);
     if (!passes) return passes.error();
     passes->frame.exchange_air(*std::move(air));
-    return Stage(context, scene, wishes, *ground, *colour, *std::move(tables), std::move(*passes));
+    return Stage(context, scene, wishes, *ground, *colour, *std::move(tables), std::move(job), std::move(*passes));
 }
 
 Stage::Stage(const gpu::Context& context, const Scene& scene, TableWishes wishes, HeightField ground, GroundColour colour,
-             std::optional<Tables> tables, Passes passes)
+             std::optional<Tables> tables, std::unique_ptr<AirJob> job, Passes passes)
     : context_(&context),
       scene_(scene),
       wishes_(std::move(wishes)),
@@ -115,8 +120,16 @@ Stage::Stage(const gpu::Context& context, const Scene& scene, TableWishes wishes
       colour_(std::move(colour)),
       tables_(std::move(tables)),
       wished_air_(air_name(scene)),
+      job_(std::move(job)),
       passes_(std::move(passes)),
-      exposure_of_one_(std::as_bytes(std::span(ones))) {}
+      exposure_of_one_(std::as_bytes(std::span(ones))) {
+    if (job_) scene_.atmosphere.clear();
+}
+
+void Stage::forget_air() {
+    wished_air_ = {};
+    scene_.atmosphere.clear();
+}
 
 Result<Done> Stage::remake(const Scene& scene) {
     HeightField ground = ground_;

@@ -2,6 +2,7 @@
 // What fails leaves all as it was.
 #pragma once
 
+#include <chrono>
 #include <future>
 #include <memory>
 #include <mutex>
@@ -37,7 +38,10 @@ public:
     AirJob& operator=(const AirJob&) = delete;
 
     const AirName& name() const { return name_; }
-    bool ready() const;
+    bool ready() const { return ready(std::chrono::seconds(0)); }
+    // Waits for so long, if it must.
+    bool ready(std::chrono::milliseconds patience) const;
+    static constexpr std::chrono::milliseconds forever = std::chrono::hours(24 * 365);
     Result<std::optional<Tables>> take() { return tables_.get(); }
     // "second order, 40 %"
     std::string how_far() const;
@@ -52,8 +56,9 @@ private:
 
 class Stage {
 public:
-    // Waits for the air's tables. `context` outlives it.
-    static Result<Stage> create(const gpu::Context& context, const Scene& scene, int width, int height, const TableWishes& wishes);
+    // Waits so long for the air's tables: what takes longer comes later, and the planet has no air until then. `context` outlives it.
+    static Result<Stage> create(const gpu::Context& context, const Scene& scene, int width, int height, const TableWishes& wishes,
+                                std::chrono::milliseconds patience);
 
     const HeightField& ground() const { return ground_; }
 
@@ -63,6 +68,8 @@ public:
 
     // The passes anew, from shaders as they are now; the ground of a scene, if it is another, else its tiles stay.
     Result<Done> remake(const Scene& scene);
+    // The air anew, from its files as they are now.
+    void forget_air();
     // For pictures of another size; the ground's tiles and the air stay.
     Result<Done> resize(int width, int height);
 
@@ -107,7 +114,7 @@ private:
     // Without air, which the frame takes in exchange for none.
     static Result<Passes> make_passes(const gpu::Context& context, const Made& made, int width, int height);
     Stage(const gpu::Context& context, const Scene& scene, TableWishes wishes, HeightField ground, GroundColour colour,
-          std::optional<Tables> tables, Passes passes);
+          std::optional<Tables> tables, std::unique_ptr<AirJob> job, Passes passes);
     void follow_air(const viewer::Session& session);
     Result<Done> take_air(const Scene& scene, std::optional<Tables> tables, const AirName& name);
     void follow_stars(const viewer::Session& session);

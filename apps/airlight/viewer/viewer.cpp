@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -28,6 +29,7 @@ constexpr double fast = 4.0;
 constexpr double rest_s = 0.3;     // of a window whose size was changed
 constexpr int smallest_side = 64;  // of a picture
 constexpr double scripted_frame_s = 1.0 / 30.0;
+constexpr std::chrono::milliseconds patience{500};  // for tables of air that are there already
 
 // Where the picture stands in the window: as large as it can be, in the middle.
 struct Fit {
@@ -66,7 +68,21 @@ struct Failures {
     }
 };
 
+// On standard error, once each, for who has hidden the panel or reads a log.
+void tell_new(const std::vector<std::string>& failures, const std::vector<std::string>& before) {
+    for (const std::string& failure : failures)
+        if (std::find(before.begin(), before.end(), failure) == before.end()) fmt::print(stderr, "{}\n", failure);
+}
+
 std::string message_of(const Result<Done>& result) { return result ? std::string() : result.error().message(); }
+
+// The file of a scene's air; none if it is a preset, or none.
+std::vector<std::filesystem::path> air_files(const viewer::Session& session) {
+    std::vector<std::filesystem::path> files;
+    for (const std::string& name : {session.atmosphere, session.weather})
+        if (!name.empty()) files.emplace_back(beside(session.file, name));
+    return files;
+}
 
 class Viewer {
 public:
@@ -78,7 +94,8 @@ public:
           path_(std::move(path)),
           prober_(wishes.tables),
           scene_watch_({wishes.scene.file}),
-          shader_watch_(render::shader_folders()) {}
+          shader_watch_(render::shader_folders()),
+          path_watch_({path_.file()}) {}
 
     // A frame; false: the user leaves.
     Result<bool> frame() {
@@ -88,6 +105,7 @@ public:
         if (watched_s_ >= watch_every_s) look_for_changes();
         if (wishes_.frames == 0) follow_size(input.seconds);
         fly(input);
+        tell_new(failures_.all(), facts_.failures);
         facts_.failures = failures_.all();
         draw_panel(panel_, facts_, session_, stage_.ground(), input);
         const Result<Done> drawn = stage_.draw(session_, std::exchange(drawn_once_, true) ? input.seconds : 0.0);
@@ -99,8 +117,11 @@ public:
         probe(input);
         show_picture(window_, stage_);
         window_.draw_panels();
-        return !input.quit && !window_.closed();
+        return !leaves(input);
     }
+
+    // Where keys of the path are that its file lacks; empty if it has them all.
+    const std::filesystem::path& path_kept_in() const { return path_.kept_in(); }
 
     Figures figures() const {
         Figures all = {{"device", fmt::format("\"{}\"", facts_.device), ""}};
@@ -109,6 +130,15 @@ public:
     }
 
 private:
+    // The user leaves; but is asked, if keys of the path are on no disk.
+    bool leaves(const Input& input) {
+        if (!input.quit && !window_.closed()) return panel_.leaves;
+        if (!path_.unsaved() || !path_.kept_in().empty()) return true;
+        window_.stay();
+        panel_.asks_to_leave = true;
+        return false;
+    }
+
     void fly(const Input& input) {
         if (played_s_) return play(input);
         viewer::change_speed(session_, input.notches);
@@ -131,21 +161,37 @@ private:
 
     void edit_path(const Input& input) {
         if (input.play) played_s_ = played_s_ || path_.keys().empty() ? std::nullopt : std::optional(path_.keys().front().time_s);
-        if (input.add_key) failures_.path = message_of(path_.add({0.0, session_.eye, session_.field_of_view}, panel_.seconds_to_key));
-        if (input.undo) failures_.path = message_of(path_.undo());
-        if (input.redo) failures_.path = message_of(path_.redo());
+        if (input.add_key) tell_of_path(path_.add({0.0, session_.eye, session_.field_of_view}, panel_.seconds_to_key));
+        if (input.undo) tell_of_path(path_.undo());
+        if (input.redo) tell_of_path(path_.redo());
         facts_.path_file = path_.file().string();
         facts_.path_keys = path_.keys().size();
         facts_.path_s = path_.keys().empty() ? 0.0 : path_.keys().back().time_s;
         facts_.played_s = played_s_;
     }
 
+    void tell_of_path(const Result<Done>& edited) {
+        failures_.path = message_of(edited);
+        if (!path_.kept_in().empty()) failures_.path += "\n  Its keys are kept in " + path_.kept_in().string() + '.';
+    }
+
     void look_for_changes() {
         watched_s_ = 0.0;
-        if (path_.unsaved()) failures_.path = message_of(path_.save());
+        if (path_.unsaved()) tell_of_path(path_.save());
+        else if (path_watch_.changed()) tell_of_path(path_.follow());
+        look_for_air();
         if (shader_watch_.changed()) failures_.shaders = message_of(stage_.remake(session_.file));
         if (wishes_.built_in || !scene_watch_.changed()) return;
         failures_.scene = message_of(take_scene());
+    }
+
+    // The file of the air was written anew, or the air is another.
+    void look_for_air() {
+        const std::vector<std::filesystem::path> files = air_files(session_);
+        if (files != air_files_) air_watch_ = viewer::FileWatch(air_files_ = files);
+        if (!air_watch_.changed()) return;
+        stage_.forget_air();
+        prober_.forget_air();
     }
 
     // Pictures of the window's size, once it rests.
@@ -162,10 +208,13 @@ private:
     Result<Done> take_scene() {
         const Result<Scene> scene = read_scene(session_.file.file);
         if (!scene) return scene.error();
-        if (!(scene->ground == session_.file.ground))
-            if (const Result<Done> made = stage_.remake(*scene); !made) return made.error();
-        Result<viewer::Session> next = viewer::reloaded(session_, *scene, stage_.ground());
+        const bool same_ground = scene->ground == session_.file.ground;
+        const Result<HeightField> ground = same_ground ? Result(stage_.ground()) : ground_of(*scene);
+        if (!ground) return ground.error();
+        Result<viewer::Session> next = viewer::reloaded(session_, *scene, *ground);
         if (!next) return next.error();
+        if (!same_ground)
+            if (const Result<Done> made = stage_.remake(*scene); !made) return made.error();
         session_ = *std::move(next);
         return Done{};
     }
@@ -213,7 +262,8 @@ private:
     viewer::PathEdit path_;
     std::optional<double> played_s_;
     Prober prober_;
-    viewer::FileWatch scene_watch_, shader_watch_;
+    viewer::FileWatch scene_watch_, shader_watch_, path_watch_, air_watch_{{}};
+    std::vector<std::filesystem::path> air_files_;
     double watched_s_ = 0.0, rested_s_ = 0.0;
     std::array<int, 2> window_size_ = {0, 0};
     bool drawn_once_ = false;
@@ -225,11 +275,12 @@ private:
 }  // namespace
 
 Result<Figures> run_viewer(const ViewerWishes& wishes) {
-    Result<viewer::PathEdit> path = viewer::PathEdit::open(wishes.path);
+    Result<viewer::PathEdit> path = viewer::PathEdit::open(wishes.path, viewer::state_folder());
     if (!path) return path.error();
     Result<Window> window = Window::open(wishes.width, wishes.height, "Airlight");
     if (!window) return window.error();
-    Result<Stage> stage = Stage::create(window->context(), wishes.scene, wishes.width, wishes.height, wishes.tables);
+    Result<Stage> stage = Stage::create(window->context(), wishes.scene, wishes.width, wishes.height, wishes.tables,
+                                        wishes.frames > 0 ? AirJob::forever : patience);
     if (!stage) return stage.error();
     Result<viewer::Session> session = viewer::session_of(wishes.scene, stage->ground());
     if (!session) return session.error();
@@ -241,7 +292,10 @@ Result<Figures> run_viewer(const ViewerWishes& wishes) {
         if (last && wishes.screenshot)
             if (const Result<Done> written = write_png(*wishes.screenshot, window->levels()); !written) return written.error();
         window->show();
-        if (last) return viewer.figures();
+        if (!last) continue;
+        if (!viewer.path_kept_in().empty())
+            fmt::print(stderr, "{} could not be written: its keys are in {}.\n", wishes.path.string(), viewer.path_kept_in().string());
+        return viewer.figures();
     }
 }
 

@@ -113,6 +113,8 @@ Result<Window> Window::open(int width, int height, const std::string& title) {
 
 bool Window::closed() const { return glfwWindowShouldClose(window_.get()); }
 
+void Window::stay() { glfwSetWindowShouldClose(window_.get(), GLFW_FALSE); }
+
 int Window::width() const {
     int width = 0;
     glfwGetFramebufferSize(window_.get(), &width, nullptr);

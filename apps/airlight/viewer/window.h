@@ -39,7 +39,9 @@ public:
     static Result<Window> open(int width, int height, const std::string& title);
 
     const gpu::Context& context() const { return *context_; }
+    // Whether the user has closed it; stay() opens it again.
     bool closed() const;
+    void stay();
     int width() const;
     int height() const;
 
