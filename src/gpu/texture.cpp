@@ -2,6 +2,9 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+#include <bit>
+
 namespace airlight::gpu {
 
 namespace {
@@ -36,11 +39,11 @@ Layout layout_of(TextureFormat format) {
     return {};
 }
 
-unsigned create(TextureSize size, GLenum stored) {
+unsigned create(TextureSize size, GLenum stored, int levels = 1) {
     GLuint name = 0;
     glCreateTextures(size.depth ? GL_TEXTURE_3D : GL_TEXTURE_2D, 1, &name);
-    if (size.depth) glTextureStorage3D(name, 1, stored, size.width, size.height, size.depth);
-    else glTextureStorage2D(name, 1, stored, size.width, size.height);
+    if (size.depth) glTextureStorage3D(name, levels, stored, size.width, size.height, size.depth);
+    else glTextureStorage2D(name, levels, stored, size.width, size.height);
     for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) glTextureParameteri(name, axis, GL_CLAMP_TO_EDGE);
     glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -59,6 +62,16 @@ Texture::Texture(TextureSize size, std::span<const float> texels, TextureFormat 
     const GLenum layout = layout_of(format).channels;
     if (size.depth) glTextureSubImage3D(name(), 0, 0, 0, 0, size.width, size.height, size.depth, layout, GL_FLOAT, texels.data());
     else glTextureSubImage2D(name(), 0, 0, 0, size.width, size.height, layout, GL_FLOAT, texels.data());
+}
+
+Texture Texture::around_a_sphere(TextureSize size, std::span<const std::uint8_t> levels) {
+    const int smaller = std::bit_width(static_cast<unsigned>(std::max(size.width, size.height)));
+    Texture texture(size, TextureFormat::srgb8, create(size, GL_SRGB8_ALPHA8, smaller));
+    glTextureSubImage2D(texture.name(), 0, 0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, levels.data());
+    glGenerateTextureMipmap(texture.name());
+    glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    return texture;
 }
 
 void Texture::bind_sampler(unsigned binding) const { glBindTextureUnit(binding, name()); }

@@ -2,6 +2,7 @@
 // Uses core; knows no physics.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "gpu/handle.h"
@@ -29,6 +30,10 @@ public:
     // `texels` has channels(format) floats for each texel, width fastest, then height; empty leaves the texture undefined.
     explicit Texture(TextureSize size, std::span<const float> texels = {}, TextureFormat format = TextureFormat::rgba32f);
 
+    // An image in latitude and longitude, four levels of sRGB with its curve for each texel: it goes on from its right edge at its left,
+    // and has all its smaller levels, whose light is the same in the mean.
+    static Texture around_a_sphere(TextureSize size, std::span<const std::uint8_t> levels);
+
     // Binds it to `layout(binding = ...) uniform sampler2D` (or sampler3D), or to an image that a shader writes.
     void bind_sampler(unsigned binding) const;
     void bind_image(unsigned binding) const;
@@ -41,6 +46,8 @@ public:
     unsigned name() const { return handle_.name(); }
 
 private:
+    Texture(TextureSize size, TextureFormat format, unsigned name) : size_(size), format_(format), handle_(name) {}
+
     TextureSize size_;
     TextureFormat format_;
     Handle<DeleteTexture> handle_;

@@ -28,12 +28,11 @@ bool is_night(const Camera& camera, const Heavens& heavens) {
 
 }  // namespace
 
-Result<Frame> Frame::create(const gpu::Context& context, const HeightField& ground, GroundColour colour, const Camera& like,
+Result<Frame> Frame::create(const gpu::Context& context, const HeightField& ground, const GroundColour& colour, const Camera& like,
                             std::optional<AirPass> air, std::optional<ShaftsPass> shafts, std::span<const Star> stars,
                             std::shared_ptr<TileStore> tiles) {
     const DetailSettings detail{.pixels_per_radian = pixels_per_radian(like), .pixels_of_error = 2.0, .pixels_of_square = 8.0};
-    Result<TerrainPass> terrain =
-        tiles ? TerrainPass::create(ground, detail, {}, std::move(tiles)) : TerrainPass::create(ground, detail, {}, std::move(colour));
+    Result<TerrainPass> terrain = TerrainPass::create(ground, detail, {}, colour, std::move(tiles));
     if (!terrain) return terrain.error();
     Result<LightPass> light = LightPass::create();
     if (!light) return light.error();

@@ -21,8 +21,8 @@ namespace airlight::render {
 class Frame {
 public:
     // For pictures of this size and field of view, under these stars; `context` outlives it. Without `shafts` nothing casts a shadow; shafts that have an air
-    // need `air`. `tiles`: of the same ground in the same colours, those of another frame; without them, they are built.
-    static Result<Frame> create(const gpu::Context& context, const HeightField& ground, GroundColour colour, const Camera& like,
+    // need `air`. `tiles`: of the same ground, those of another frame; without them, they are built.
+    static Result<Frame> create(const gpu::Context& context, const HeightField& ground, const GroundColour& colour, const Camera& like,
                                 std::optional<AirPass> air, std::optional<ShaftsPass> shafts = {}, std::span<const Star> stars = {},
                                 std::shared_ptr<TileStore> tiles = {});
 

@@ -6,7 +6,6 @@
 
 #include "sun/position.h"
 #include "terrain/raster_relief.h"
-#include "terrain/surface_image.h"
 
 namespace airlight {
 
@@ -53,7 +52,7 @@ Result<HeightField> ground_of(const Scene& scene) {
 
 Result<GroundColour> colour_of(const Scene& scene) {
     if (scene.ground.surface) return surface_image(*scene.ground.surface);
-    return GroundColour(ground_colour);
+    return GroundColour{};
 }
 
 Result<Camera> camera_of(const Scene& scene, const HeightField& ground, int width, int height) {

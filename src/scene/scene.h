@@ -12,7 +12,8 @@
 #include "camera/camera.h"
 #include "celestial/stars.h"
 #include "core/result.h"
-#include "terrain/tile.h"
+#include "terrain/height_field.h"
+#include "terrain/surface_image.h"
 
 namespace airlight {
 

@@ -18,7 +18,7 @@ struct TileVertex {
     std::uint32_t normal;              // octahedral, of features that this patch's squares can show
     std::uint32_t coarse_normal;       // of those that squares twice as wide can
     float height_m;                    // of the ground, below the sea as well
-    std::uint32_t reflectance;         // red, green, blue: square roots in 8 bits each, red lowest
+    std::uint32_t cover;               // GroundCover in 8 bits each, steppe lowest
 };
 static_assert(sizeof(TileVertex) == 40);
 
@@ -27,14 +27,8 @@ struct Tile {
     std::vector<TileVertex> vertices;  // [j][i], patch_side each way
 };
 
-// What the ground reflects of red, green and blue light, in all directions alike; `normal` is that of its broad features.
-using GroundColour = std::function<Vec3(Vec3 direction, double height_m, Vec3 normal)>;
-
-// Grass, rock, sand and snow by height, slope and latitude; the sea is dark.
-Vec3 ground_colour(Vec3 direction, double height_m, Vec3 normal);
-
-// Positions, heights and reflectances depend on the vertex alone, not on the node: neighbours share them to the bit.
-Tile build_tile(const Node& node, const HeightField& field, const GroundColour& colour = ground_colour);
+// Positions, heights and covers depend on the vertex alone, not on the node: neighbours share them to the bit.
+Tile build_tile(const Node& node, const HeightField& field);
 
 // The triangles of every patch, by the places of their corners in Tile::vertices; anticlockwise seen from outside.
 // All squares are cut along the same diagonal, so that squares of one level and of the next are cut alike.

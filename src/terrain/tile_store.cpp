@@ -6,9 +6,8 @@
 
 namespace airlight {
 
-TileStore::TileStore(HeightField field, std::size_t most_bytes, GroundColour colour)
+TileStore::TileStore(HeightField field, std::size_t most_bytes)
     : field_(std::move(field)),
-      colour_(std::move(colour)),
       most_tiles_(most_bytes / tile_bytes),
       worker_([this](const std::stop_token& stop) { build_ahead(stop); }) {}
 
@@ -45,7 +44,7 @@ std::vector<std::shared_ptr<const Tile>> TileStore::get(std::span<const Node> no
             if (!(tiles[i] = find(nodes[i]))) missing.push_back(i);
     }
     parallel_for(missing.size(),
-                 [&](std::size_t k) { tiles[missing[k]] = std::make_shared<const Tile>(build_tile(nodes[missing[k]], field_, colour_)); });
+                 [&](std::size_t k) { tiles[missing[k]] = std::make_shared<const Tile>(build_tile(nodes[missing[k]], field_)); });
     const std::lock_guard lock(mutex_);
     for (const std::size_t i : missing) keep(tiles[i]);
     shed();
@@ -75,7 +74,7 @@ void TileStore::build_ahead(const std::stop_token& stop) {
         ahead_.pop_front();
         if (tiles_.contains(node)) continue;
         lock.unlock();
-        auto tile = std::make_shared<const Tile>(build_tile(node, field_, colour_));
+        auto tile = std::make_shared<const Tile>(build_tile(node, field_));
         lock.lock();
         keep(std::move(tile));
         shed();

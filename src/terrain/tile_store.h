@@ -17,7 +17,7 @@ namespace airlight {
 class TileStore {
 public:
     // Holds at most `most_bytes` of tiles, or one request's, if that is more: the least lately used go first.
-    TileStore(HeightField field, std::size_t most_bytes, GroundColour colour = ground_colour);
+    TileStore(HeightField field, std::size_t most_bytes);
     ~TileStore();
     TileStore(const TileStore&) = delete;
     TileStore& operator=(const TileStore&) = delete;
@@ -42,7 +42,6 @@ private:
     void build_ahead(const std::stop_token& stop);
 
     HeightField field_;
-    GroundColour colour_;
     std::size_t most_tiles_;
     mutable std::mutex mutex_;  // guards what follows
     std::condition_variable_any asked_;

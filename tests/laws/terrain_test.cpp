@@ -279,7 +279,7 @@ TEST_CASE("no popping: as the eye moves, a vertex moves by no more than its leve
     fmt::print("  a vertex moves by at most {:.3f} of the eye's way\n", largest);
 }
 
-TEST_CASE("neighbours of different levels have the same vertices, heights and colours to the bit") {
+TEST_CASE("neighbours of different levels have the same vertices, heights and covers to the bit") {
     const HeightField field = procedural_height(coarse_relief());
     std::mt19937_64 random(seed);
     for (int n = 0; n < 20; ++n) {
@@ -295,7 +295,7 @@ TEST_CASE("neighbours of different levels have the same vertices, heights and co
                                      &b = coarse.vertices[static_cast<std::size_t>(cj * patch_side + ci)];
                     CHECK(a.position_m == b.position_m);
                     CHECK(a.height_m == b.height_m);
-                    CHECK(a.reflectance == b.reflectance);
+                    CHECK(a.cover == b.cover);
                     CHECK(a.coarse_normal == b.normal);  // what the finer level shows at the end of its reach
                 }
         }

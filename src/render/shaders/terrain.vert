@@ -2,14 +2,15 @@
 // The ground as the eye sees it.
 #include "terrain_vertex.glsl"
 layout(location = 0) out vec3 normal;
-layout(location = 1) out vec3 root_of_reflectance;
+layout(location = 1) out vec4 cover;
 layout(location = 2) out float height_m;
-layout(location = 3) flat out vec2 depth_limits;  // of the triangle
+layout(location = 3) out vec3 place;        // relative to the eye
+layout(location = 4) flat out vec2 depth_limits;  // of the triangle
 
 void main() {
     Place p;
     Vertex v = glided_vertex(p);
-    normal = v.normal, root_of_reflectance = v.root_of_reflectance, height_m = v.height_m;
+    normal = v.normal, cover = v.cover, height_m = v.height_m, place = v.place;
     gl_Position = clip_position(v.place);
     float z = gl_Position.w;
     depth_limits = camera_lens.z / max(vec2(z + p.span_m, z - p.span_m), vec2(camera_lens.z));

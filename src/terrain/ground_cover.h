@@ -1,0 +1,28 @@
+// What covers the ground of a planet that has no picture of it: grass, rock, sand and snow by height, slope and latitude.
+// Uses units.
+#pragma once
+
+#include <array>
+
+#include "units/vector.h"
+
+namespace airlight {
+
+// Each from 0 to 1: how far what lies before it has given way to it. Grass comes first, which all of them cover in this order.
+struct GroundCover {
+    double steppe, sand, rock, snow;
+};
+
+// At a height above the sea, in metres; `normal` is that of the ground's broad features.
+GroundCover ground_cover(Vec3 direction, double height_m, Vec3 normal);
+
+// What is under one's feet: of red, green and blue light it reflects these shares, in all directions alike.
+struct GroundMaterial {
+    Vec3 reflectance;
+};
+
+// Grass, steppe, sand, rock, snow, and the sea.
+inline constexpr int ground_kinds = 6;
+const std::array<GroundMaterial, ground_kinds>& ground_materials();
+
+}  // namespace airlight

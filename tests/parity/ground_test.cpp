@@ -1,0 +1,193 @@
+// What the ground and the sea look like in the geometry buffer, pixel by pixel.
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "render/camera_block.h"
+#include "render/geometry_buffer.h"
+#include "render/terrain_pass.h"
+#include "terrain/ground_cover.h"
+#include "tools/gpu_case.h"
+
+using namespace airlight;
+using namespace airlight::test;
+
+namespace {
+
+constexpr int width = 160, height = 90;
+constexpr double radius_m = 6'371'000.0;
+
+// A planet that is nowhere higher or lower.
+HeightField even_height(double height_m, bool sea) {
+    return {.radius_m = radius_m,
+            .sample =
+                [height_m](Vec3, double) {
+                    return HeightSample{height_m, Vec3(0.0), Vec3(0.0), Vec3(0.0)};
+                },
+            .range =
+                [height_m](const Cap&) {
+                    return Interval{height_m, height_m};
+                },
+            .detail = [](double) { return 0.0; },
+            .whole = {height_m, height_m},
+            .sea = sea};
+}
+
+double linear(double level) { return level <= 0.04045 ? level / 12.92 : std::pow((level + 0.055) / 1.055, 2.4); }
+
+// Of each pixel; the first row is the lowest.
+struct Looks {
+    std::vector<Vec3> reflectance;
+    std::vector<bool> there;
+};
+
+class Ground {
+public:
+    Ground(const HeightField& field, const GroundColour& colour = {})
+        : surfaces_(must(render::GeometryBuffer::create(width, height))),
+          terrain_(must(render::TerrainPass::create(field, {.pixels_per_radian = height}, {}, colour))) {}
+
+    Looks draw(Camera camera) {
+        camera.width = width, camera.height = height;
+        camera_.bind(camera);
+        surfaces_.begin();
+        terrain_.draw(camera);
+        render::GeometryBuffer::end();
+        std::vector<float> colour(4 * width * height);
+        surfaces_.colour().read(colour);
+        Looks looks;
+        for (std::size_t i = 0; i < colour.size(); i += 4) {
+            looks.reflectance.emplace_back(linear(static_cast<double>(colour[i])), linear(static_cast<double>(colour[i + 1])),
+                                           linear(static_cast<double>(colour[i + 2])));
+            looks.there.push_back(colour[i + 3] > 0.0f);
+        }
+        return looks;
+    }
+
+private:
+    template <class T>
+    static T must(Result<T> made) {
+        if (!made) FAIL(made.error().message());
+        return std::move(*made);
+    }
+
+    render::GeometryBuffer surfaces_;
+    render::TerrainPass terrain_;
+    render::CameraBlock camera_;
+};
+
+// Straight down, north at the top.
+Camera above(double latitude_deg, double longitude_deg, double altitude_m) {
+    return look(Viewpoint{.latitude = latitude_deg * deg, .longitude = longitude_deg * deg, .altitude_m = altitude_m, .pitch = -90.0 * deg},
+                radius_m);
+}
+
+// The direction from the planet's centre in which a pixel sees the ground, or none.
+std::optional<Vec3> seen_at(const Camera& camera, int column, int row) {
+    const Vec3 way = glm::normalize(direction_at(camera, (column + 0.5) / width * 2.0 - 1.0, (row + 0.5) / height * 2.0 - 1.0));
+    const double along = -glm::dot(camera.eye, way), beside = glm::length(camera.eye + along * way);
+    if (along < 0.0 || beside > 0.98 * radius_m) return {};
+    return glm::normalize(camera.eye + way * (along - std::sqrt(radius_m * radius_m - beside * beside)));
+}
+
+// An image of noise that is smooth enough for linear light between its pixels to be close to that between its levels.
+std::shared_ptr<const SurfaceImage> noisy_image(int rows) {
+    SurfaceImage image{2 * rows, rows, {}};
+    std::mt19937 random(7);
+    for (int i = 0; i < image.width * image.height; ++i) {
+        for (int c = 0; c < 3; ++c) image.levels.push_back(static_cast<std::uint8_t>(random() % 256));
+        image.levels.push_back(255);
+    }
+    return std::make_shared<const SurfaceImage>(std::move(image));
+}
+
+// Linear light between the centres of an image's pixels.
+Vec3 reflectance(const SurfaceImage& image, Vec3 d) {
+    const double x = (std::atan2(d.y, d.x) / (2.0 * pi) + 0.5) * image.width - 0.5;
+    const double y = (0.5 - std::atan2(d.z, std::hypot(d.x, d.y)) / pi) * image.height - 0.5;
+    Vec3 sum(0.0);
+    for (const int j : {0, 1})
+        for (const int i : {0, 1}) {
+            const double u = x - std::floor(x), v = y - std::floor(y), share = (i ? u : 1.0 - u) * (j ? v : 1.0 - v);
+            const int column = (static_cast<int>(std::floor(x)) + i + image.width) % image.width,
+                      row = std::clamp(static_cast<int>(std::floor(y)) + j, 0, image.height - 1);
+            for (int c = 0; c < 3; ++c)
+                sum[c] += share * linear(image.levels[static_cast<std::size_t>(4 * (row * image.width + column) + c)] / 255.0);
+        }
+    return sum;
+}
+
+}  // namespace
+
+// Levels of 8 bits are half a level apart from linear light: 0.5 / 255 of sRGB's curve, whose slope is at most 2.3. Coordinates in float and
+// filters in 8 bits of a fraction leave as much again.
+TEST_CASE("an image colours each pixel linearly between its own, over poles and round the date line") {
+    const GpuCase gpu_case;
+    if (!gpu_case) return;
+    const auto image = noisy_image(32);
+    Ground ground(even_height(0.0, false), {image});
+    for (const auto& [latitude, longitude] : {std::pair{0.0, 0.0}, {10.0, 179.0}, {89.0, 30.0}, {-89.0, 0.0}})
+        for (const double altitude_m : {1e6, 4e6}) {
+            const Camera camera = above(latitude, longitude, altitude_m);
+            const Looks looks = ground.draw(camera);
+            double largest = 0.0;
+            int seen = 0;
+            for (int row = 0; row < height; ++row)
+                for (int column = 0; column < width; ++column) {
+                    const auto pixel = static_cast<std::size_t>(row * width + column);
+                    Camera sized = camera;
+                    sized.width = width, sized.height = height;
+                    const std::optional<Vec3> direction = seen_at(sized, column, row);
+                    if (!direction || !looks.there[pixel]) continue;
+                    ++seen;
+                    const Vec3 difference = glm::abs(looks.reflectance[pixel] - reflectance(*image, *direction));
+                    largest = std::max({largest, difference.x, difference.y, difference.z});
+                }
+            fmt::print("  {:>5.0f} deg north, {:>4.0f} deg east, {:.0f} km: largest difference {:.4f}\n", latitude, longitude,
+                       altitude_m / 1e3, largest);
+            CHECK(seen > width * height / 4);
+            CHECK(largest < 0.012);
+        }
+}
+
+// From 100 radii away a pixel holds thousands of the image's.
+TEST_CASE("an image seen from afar is grey where its pixels are black and white") {
+    const GpuCase gpu_case;
+    if (!gpu_case) return;
+    SurfaceImage image{1024, 512, {}};
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (int c = 0; c < 4; ++c) image.levels.push_back((x + y) % 2 || c == 3 ? 255 : 0);
+    Ground ground(even_height(0.0, false), {std::make_shared<const SurfaceImage>(image)});
+    Camera camera = above(0.0, 0.0, 3e7);
+    camera.width = width, camera.height = height;
+    const Looks looks = ground.draw(camera);
+    double largest = 0.0;
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column) {
+            const auto pixel = static_cast<std::size_t>(row * width + column);
+            if (seen_at(camera, column, row)) largest = std::max(largest, std::abs(looks.reflectance[pixel].y - 0.5));
+        }
+    CHECK(largest < 0.01);
+}
+
+TEST_CASE("water stands where the ground is below 0 m, if the planet has a sea") {
+    const GpuCase gpu_case;
+    if (!gpu_case) return;
+    const Camera camera = above(0.0, 0.0, 1e3);
+    const auto middle = [&](double height_m, bool sea) {
+        return Ground(even_height(height_m, sea)).draw(camera).reflectance[width * height / 2];
+    };
+    const auto is = [](Vec3 seen, int kind) {
+        return glm::length(seen - ground_materials()[static_cast<std::size_t>(kind)].reflectance) < 0.01;
+    };
+    CHECK(is(middle(-20.0, true), 5));
+    CHECK(is(middle(-20.0, false), 2));
+    CHECK(is(middle(1.0, true), 2));
+}
