@@ -9,6 +9,7 @@
 #include "gpu/context.h"
 #include "render/camera_block.h"
 #include "render/geometry_buffer.h"
+#include "render/ground_pass.h"
 #include "render/terrain_pass.h"
 #include "terrain/procedural_relief.h"
 
@@ -40,11 +41,13 @@ void ground(benchmark::State& state) {
     const Result<render::GeometryBuffer> surfaces = render::GeometryBuffer::create(width, height);
     Result<render::TerrainPass> terrain =
         render::TerrainPass::create(field, {.pixels_per_radian = pixels_per_radian(camera)}, {.gpu_tiles = 4096});
-    if (!surfaces || !terrain) return state.SkipWithError("the passes cannot be made");
+    const Result<render::GroundPass> looks = render::GroundPass::create(field);
+    if (!surfaces || !terrain || !looks) return state.SkipWithError("the passes cannot be made");
     block.bind(camera);
     const auto frame = [&] {
         surfaces->begin();
         terrain->draw(camera, culling);
+        looks->draw(*surfaces, camera);
         render::GeometryBuffer::end();
         glFinish();
     };

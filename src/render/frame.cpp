@@ -32,8 +32,10 @@ Result<Frame> Frame::create(const gpu::Context& context, const HeightField& grou
                             std::optional<AirPass> air, std::optional<ShaftsPass> shafts, std::span<const Star> stars,
                             std::shared_ptr<TileStore> tiles) {
     const DetailSettings detail{.pixels_per_radian = pixels_per_radian(like), .pixels_of_error = 2.0, .pixels_of_square = 8.0};
-    Result<TerrainPass> terrain = TerrainPass::create(ground, detail, {}, colour, std::move(tiles));
+    Result<TerrainPass> terrain = TerrainPass::create(ground, detail, {}, std::move(tiles));
     if (!terrain) return terrain.error();
+    Result<GroundPass> looks = GroundPass::create(ground, colour);
+    if (!looks) return looks.error();
     Result<LightPass> light = LightPass::create();
     if (!light) return light.error();
     Result<ShadowPass> shadows = ShadowPass::create();
@@ -45,15 +47,16 @@ Result<Frame> Frame::create(const gpu::Context& context, const HeightField& grou
     gpu::Texture radiance({like.width, like.height});
     Result<gpu::Framebuffer> target = gpu::Framebuffer::create({&radiance});
     if (!target) return target.error();
-    return Frame(context, std::move(*terrain), std::move(*light), std::move(air), std::move(*shadows), std::move(shafts),
+    return Frame(context, std::move(*terrain), std::move(*looks), std::move(*light), std::move(air), std::move(*shadows), std::move(shafts),
                  std::move(*background), std::move(*surfaces), std::move(radiance), std::move(*target));
 }
 
-Frame::Frame(const gpu::Context& context, TerrainPass terrain, LightPass light, std::optional<AirPass> air, ShadowPass shadows,
-             std::optional<ShaftsPass> shafts, BackgroundPass background, GeometryBuffer surfaces, gpu::Texture radiance,
-             gpu::Framebuffer target)
+Frame::Frame(const gpu::Context& context, TerrainPass terrain, GroundPass ground, LightPass light, std::optional<AirPass> air,
+             ShadowPass shadows, std::optional<ShaftsPass> shafts, BackgroundPass background, GeometryBuffer surfaces,
+             gpu::Texture radiance, gpu::Framebuffer target)
     : context_(&context),
       terrain_(std::move(terrain)),
+      ground_(std::move(ground)),
       light_(std::move(light)),
       air_(std::move(air)),
       shadows_(std::move(shadows)),
@@ -77,6 +80,10 @@ Result<Done> Frame::render(const Camera& camera, const Lights& lights) {
         const auto pass = timers_.time("terrain");
         surfaces_.begin();
         terrain_.draw(camera);
+    }
+    {
+        const auto pass = timers_.time("ground");
+        ground_.draw(surfaces_, camera);
         GeometryBuffer::end();
     }
     const Heavens heavens{lights.towards_sun, lights.sun_distance_au, lights.moon_m};

@@ -12,6 +12,7 @@
 #include "render/air_pass.h"
 #include "render/background_pass.h"
 #include "render/camera_block.h"
+#include "render/ground_pass.h"
 #include "render/light_pass.h"
 #include "render/shafts_pass.h"
 #include "render/terrain_pass.h"
@@ -53,8 +54,8 @@ public:
     const std::shared_ptr<TileStore>& tiles() const { return terrain_.tiles(); }
 
 private:
-    Frame(const gpu::Context& context, TerrainPass terrain, LightPass light, std::optional<AirPass> air, ShadowPass shadows,
-          std::optional<ShaftsPass> shafts, BackgroundPass background, GeometryBuffer surfaces, gpu::Texture radiance,
+    Frame(const gpu::Context& context, TerrainPass terrain, GroundPass ground, LightPass light, std::optional<AirPass> air,
+          ShadowPass shadows, std::optional<ShaftsPass> shafts, BackgroundPass background, GeometryBuffer surfaces, gpu::Texture radiance,
           gpu::Framebuffer target);
 
     const BendingTable& bending(const Camera& camera);
@@ -64,6 +65,7 @@ private:
     const gpu::Context* context_;
     CameraBlock camera_;
     TerrainPass terrain_;
+    GroundPass ground_;
     LightPass light_;
     std::optional<AirPass> air_;
     ShadowPass shadows_;

@@ -39,24 +39,21 @@ Place place_of(const Node& node, std::size_t slot, double radius_m) {
 
 }  // namespace
 
-Result<TerrainPass> TerrainPass::create(const HeightField& field, DetailSettings detail, TerrainMemory memory, const GroundColour& colour,
+Result<TerrainPass> TerrainPass::create(const HeightField& field, DetailSettings detail, TerrainMemory memory,
                                         std::shared_ptr<TileStore> tiles) {
     Result<gpu::Program> made = program("terrain.vert", "terrain.frag");
     if (!made) return made.error();
     Result<gpu::Program> shadow = program("terrain_shadow.vert", "depth.frag");
     if (!shadow) return shadow.error();
-    Result<GroundTextures> textures = GroundTextures::create(field, colour);
-    if (!textures) return textures.error();
     const LevelReach reach = level_reach(field, detail);
     if (!tiles) tiles = std::make_shared<TileStore>(field, memory.tiles_bytes);
-    return TerrainPass(field, reach, memory, std::move(tiles), std::move(*textures), std::move(*made), std::move(*shadow));
+    return TerrainPass(field, reach, memory, std::move(tiles), std::move(*made), std::move(*shadow));
 }
 
 TerrainPass::TerrainPass(const HeightField& field, const LevelReach& reach, TerrainMemory memory, std::shared_ptr<TileStore> tiles,
-                         GroundTextures textures, gpu::Program made, gpu::Program shadow)
+                         gpu::Program made, gpu::Program shadow)
     : tree_(field, reach),
       store_(std::move(tiles)),
-      textures_(std::move(textures)),
       program_(std::move(made)),
       shadow_program_(std::move(shadow)),
       tiles_(static_cast<std::size_t>(memory.gpu_tiles) * tile_bytes),
@@ -73,7 +70,6 @@ void TerrainPass::draw(const Camera& camera, Culling culling) {
     const Selection selection = tree_.select(camera, culling);
     const std::size_t before = store_->built();
     program_.use();
-    textures_.bind();
     draw_patches(selection.nodes);
     count_ = {selection.nodes.size(), selection.nodes.size() * patch_triangles().size(), selection.visited, selection.culled,
               store_->built() - before};

@@ -8,7 +8,6 @@
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "gpu/vertex_array.h"
-#include "render/ground_textures.h"
 #include "terrain/tile_store.h"
 
 namespace airlight::render {
@@ -28,10 +27,10 @@ class TerrainPass {
 public:
     // `tiles`: of this field, those of another pass; without them, they are built.
     static Result<TerrainPass> create(const HeightField& field, DetailSettings detail, TerrainMemory memory = {},
-                                      const GroundColour& colour = {}, std::shared_ptr<TileStore> tiles = {});
+                                      std::shared_ptr<TileStore> tiles = {});
 
-    // Draws what the camera sees, as finely as `detail` asks; tiles that are missing are built first. A geometry buffer has begun,
-    // and a CameraBlock of the same camera is bound.
+    // Draws what the camera sees, as finely as `detail` asks, for GroundPass; tiles that are missing are built first. A geometry buffer has
+    // begun, and a CameraBlock of the same camera is bound.
     void draw(const Camera& camera, Culling culling = {});
 
     // Draws the depths of what of the eye's ground lies within the half-spaces, whether the eye sees it or not, into the bound shadow map;
@@ -50,14 +49,13 @@ private:
         std::size_t used = 0;  // in which batch; 0 never
     };
     TerrainPass(const HeightField& field, const LevelReach& reach, TerrainMemory memory, std::shared_ptr<TileStore> tiles,
-                GroundTextures textures, gpu::Program program, gpu::Program shadow_program);
+                gpu::Program program, gpu::Program shadow_program);
     void draw_patches(std::span<const Node> nodes);
     void draw_batch(std::span<const Node> nodes);
     std::size_t slot_of(const Node& node);
 
     Quadtree tree_;
     std::shared_ptr<TileStore> store_;
-    GroundTextures textures_;
     gpu::Program program_, shadow_program_;
     gpu::Buffer tiles_, places_, reach_, indices_;
     gpu::VertexArray triangles_;

@@ -16,9 +16,11 @@ struct GroundCover {
 // At a height above the sea, in metres; `normal` is that of the ground's broad features.
 GroundCover ground_cover(Vec3 direction, double height_m, Vec3 normal);
 
-// What is under one's feet: of red, green and blue light it reflects these shares, in all directions alike.
+// What is under one's feet.
 struct GroundMaterial {
-    Vec3 reflectance;
+    Vec3 reflectance;  // of red, green and blue light, in all directions alike, in the mean
+    double contrast;   // root of the mean square of what it varies by from place to place, as a share of it
+    Vec3 tint;         // the same in each colour apart, and of it the sign
 };
 
 // Grass, steppe, sand, rock, snow, and the sea.

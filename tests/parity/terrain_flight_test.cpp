@@ -11,6 +11,7 @@
 
 #include "image/png.h"
 #include "render/camera_block.h"
+#include "render/ground_pass.h"
 #include "render/light_pass.h"
 #include "render/terrain_pass.h"
 #include "terrain/procedural_relief.h"
@@ -41,13 +42,15 @@ public:
           surfaces_(must(render::GeometryBuffer::create(width, height))),
           target_(must(gpu::Framebuffer::create({&light_texture_}))),
           light_(must(render::LightPass::create())),
-          terrain_(std::move(terrain)) {}
+          terrain_(std::move(terrain)),
+          ground_(must(render::GroundPass::create(terrain_.quadtree().field()))) {}
 
     Frame draw(Camera camera, Vec3 towards_sun, Culling culling = {}) {
         camera.width = width_, camera.height = height_;
         camera_.bind(camera);
         surfaces_.begin();
         terrain_.draw(camera, culling);
+        ground_.draw(surfaces_, camera);
         render::GeometryBuffer::end();
         target_.bind();
         light_.draw(surfaces_, {towards_sun, Vec3(pi), Vec3(0.25)});
@@ -77,6 +80,7 @@ private:
     gpu::Framebuffer target_;
     render::LightPass light_;
     render::TerrainPass terrain_;
+    render::GroundPass ground_;
     render::CameraBlock camera_;
 };
 

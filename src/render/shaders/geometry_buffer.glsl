@@ -13,3 +13,13 @@ void write_surface(vec3 reflectance, vec3 normal, float roughness, float water) 
     surface_normal = octahedral(normal);
     surface_material = vec2(roughness, water);
 }
+
+// Ground that waits for its looks (ground.frag): what covers it stands where they will, and its alpha says so.
+//   cover  of steppe, sand, rock and snow (src/terrain/ground_cover.h)
+//   below  1 below 0 m, 0 above, between them at a shore
+const float alpha_of_cover = 0.5;
+void write_cover(vec4 cover, vec3 normal, float below) {
+    surface_colour = vec4(cover.xzw, alpha_of_cover);
+    surface_normal = octahedral(normal);
+    surface_material = vec2(cover.y, below);
+}

@@ -1,0 +1,31 @@
+#version 450 core
+// The looks of the ground and the sea, of what terrain.frag has left in the geometry buffer.
+#include "camera.glsl"
+#include "geometry_buffer.glsl"
+#include "ground.glsl"
+layout(binding = 0) uniform sampler2D depth_buffer;
+layout(binding = 1) uniform sampler2D colour_buffer;
+layout(binding = 2) uniform sampler2D normal_buffer;
+layout(binding = 3) uniform sampler2D material_buffer;
+layout(location = 0) in vec2 place;
+
+const float rough_sea = 0.2, rough_land = 1.0;
+
+// How wide a pixel is on the ground: between its width and its length, which on ground that is seen at a low angle are far apart.
+float footprint_m(vec3 position, vec3 normal) {
+    float distance_m = length(position), width_m = distance_m * 2.0 * camera_lens.y / float(textureSize(depth_buffer, 0).y);
+    float facing = max(-dot(position, normal) / distance_m, 0.02);
+    return width_m * max(inversesqrt(facing), 0.5 / facing);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 colour = texelFetch(colour_buffer, pixel, 0);
+    if (abs(colour.a - alpha_of_cover) > 0.1) discard;
+    vec2 material = texelFetch(material_buffer, pixel, 0).rg;
+    vec3 normal = from_octahedral(texelFetch(normal_buffer, pixel, 0).rg);
+    vec3 position = position_at(place, texelFetch(depth_buffer, pixel, 0).r);
+    float water = ground_wishes.x * material.g;
+    vec3 reflectance = reflectance_of(vec4(colour.r, material.r, colour.gb), water, position, footprint_m(position, normal));
+    write_surface(reflectance, normal, mix(rough_land, rough_sea, water), water);
+}
