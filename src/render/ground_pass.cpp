@@ -26,7 +26,7 @@ constexpr int widest_octave = 10;
 // std140: `uniform Ground`.
 struct Materials {
     std::array<std::array<float, 4>, ground_kinds> reflectance{};  // and contrast
-    std::array<std::array<float, 4>, ground_kinds> tint{};
+    std::array<std::array<float, 4>, ground_kinds> tint{};  // and relief
     float sea = 0.0f;            // 1: what lies below 0 m is under water
     float image_pixel_m = 0.0f;  // from north to south; 0: there is no image
     float widest = 0.0f;         // octave
@@ -49,7 +49,7 @@ Materials materials_of(const HeightField& field, const SurfaceImage* image) {
     for (std::size_t kind = 0; kind < block.reflectance.size(); ++kind) {
         const GroundMaterial& material = ground_materials()[kind];
         block.reflectance[kind] = four(material.reflectance, material.contrast);
-        block.tint[kind] = four(material.tint, 0.0);
+        block.tint[kind] = four(material.tint, material.relief);
     }
     block.sea = field.sea ? 1.0f : 0.0f;
     const double pixel_m = image ? pi * field.radius_m / image->height : 0.0;

@@ -30,12 +30,12 @@ GroundCover ground_cover(Vec3 direction, double height_m, Vec3 normal) {
 // Reflectances in sunlight, rounded from their usual ranges; what they vary by is by eye.
 const std::array<GroundMaterial, ground_kinds>& ground_materials() {
     static const std::array<GroundMaterial, ground_kinds> materials = {{
-        {.reflectance = {0.05, 0.085, 0.03}, .contrast = 0.20, .tint = {0.07, 0.0, 0.03}},
-        {.reflectance = {0.19, 0.17, 0.10}, .contrast = 0.16, .tint = {-0.05, 0.02, -0.04}},
-        {.reflectance = {0.34, 0.29, 0.20}, .contrast = 0.06, .tint = {0.02, 0.0, -0.03}},
-        {.reflectance = {0.15, 0.135, 0.12}, .contrast = 0.22, .tint = {0.06, 0.02, -0.02}},
-        {.reflectance = {0.80, 0.82, 0.85}, .contrast = 0.02, .tint = {0.0, 0.0, 0.0}},
-        {.reflectance = {0.02, 0.035, 0.05}, .contrast = 0.0, .tint = {0.0, 0.0, 0.0}},
+        {.reflectance = {0.05, 0.085, 0.03}, .contrast = 0.20, .tint = {0.07, 0.0, 0.03}, .relief = 0.16},
+        {.reflectance = {0.19, 0.17, 0.10}, .contrast = 0.16, .tint = {-0.05, 0.02, -0.04}, .relief = 0.12},
+        {.reflectance = {0.34, 0.29, 0.20}, .contrast = 0.06, .tint = {0.02, 0.0, -0.03}, .relief = 0.06},
+        {.reflectance = {0.15, 0.135, 0.12}, .contrast = 0.22, .tint = {0.06, 0.02, -0.02}, .relief = 0.25},
+        {.reflectance = {0.80, 0.82, 0.85}, .contrast = 0.02, .tint = {0.0, 0.0, 0.0}, .relief = 0.07},
+        {.reflectance = {0.02, 0.035, 0.05}, .contrast = 0.0, .tint = {0.0, 0.0, 0.0}, .relief = 0.0},
     }};
     return materials;
 }

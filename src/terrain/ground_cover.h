@@ -21,6 +21,7 @@ struct GroundMaterial {
     Vec3 reflectance;  // of red, green and blue light, in all directions alike, in the mean
     double contrast;   // root of the mean square of what it varies by from place to place, as a share of it
     Vec3 tint;         // the same in each colour apart, and of it the sign
+    double relief;     // root of the mean square of its slope along any line, of what is smaller than the ground's own squares
 };
 
 // Grass, steppe, sand, rock, snow, and the sea.

@@ -14,6 +14,7 @@
 #include "render/ground_pass.h"
 #include "render/terrain_pass.h"
 #include "terrain/ground_cover.h"
+#include "terrain/octahedral.h"
 #include "tools/gpu_case.h"
 
 using namespace airlight;
@@ -44,7 +45,7 @@ double linear(double level) { return level <= 0.04045 ? level / 12.92 : std::pow
 
 // Of each pixel; the first row is the lowest.
 struct Looks {
-    std::vector<Vec3> reflectance;
+    std::vector<Vec3> reflectance, normal;
     std::vector<bool> there;
 };
 
@@ -64,11 +65,15 @@ public:
         render::GeometryBuffer::end();
         std::vector<float> colour(4 * width * height);
         surfaces_.colour().read(colour);
+        std::vector<float> normal(2 * width * height);
+        surfaces_.normal().read(normal);
         Looks looks;
         for (std::size_t i = 0; i < colour.size(); i += 4) {
             looks.reflectance.emplace_back(linear(static_cast<double>(colour[i])), linear(static_cast<double>(colour[i + 1])),
                                            linear(static_cast<double>(colour[i + 2])));
             looks.there.push_back(colour[i + 3] > 0.0f);
+            const auto level = [&](std::size_t n) { return static_cast<std::uint32_t>(std::lround(normal[i / 2 + n] * 65535.0f)); };
+            looks.normal.push_back(from_octahedral(level(0) | level(1) << 16));
         }
         return looks;
     }
@@ -287,4 +292,43 @@ TEST_CASE("a quarter of a pixel changes little of a picture of the ground, looke
                        spread.of_green);
             CHECK(share < 0.3);
         }
+}
+
+// Rocks slope by 0.25, grass by 0.16, along any line: half of each here. Their mean square is that of the slopes' along two lines.
+TEST_CASE("the ground is rough near and far, but level in the mean and from afar; no edge of the cube shows in colours or normals") {
+    const GpuCase gpu_case;
+    if (!gpu_case) return;
+    Ground ground(rocky_ground(100.0));
+    for (const double above_m : {3.0, 1e3}) {
+        Vec3 mean(0.0);
+        double square = 0.0;
+        int count = 0;
+        // Of the middle of the picture, below which the ground is level to 10^-4; the meridian is an edge between two faces.
+        std::vector<double> step(width - 1, 0.0), colour_step(width - 1, 0.0);
+        for (int place = 0; place < 12; ++place) {
+            const Camera camera = above(5.0 + place, 45.0, 100.0 + above_m);
+            const Looks looks = ground.draw(camera);
+            const Vec3 up = glm::normalize(camera.eye);
+            for (std::size_t row = 0; row < height; ++row)
+                for (std::size_t column = 0; column + 1 < width; ++column) {
+                    const std::size_t i = row * width + column;
+                    const Vec3 slope = looks.normal[i] / glm::dot(looks.normal[i], up) - up;
+                    mean += slope;
+                    square += glm::dot(slope, slope);
+                    ++count;
+                    step[column] += glm::length(looks.normal[i + 1] - looks.normal[i]);
+                    colour_step[column] += glm::length(looks.reflectance[i + 1] - looks.reflectance[i]);
+                }
+        }
+        fmt::print("  {:>6.0f} m above: slopes of {:.3f}, {:.4f} in the mean\n", above_m, std::sqrt(0.5 * square / count),
+                   glm::length(mean) / count);
+        CHECK(glm::length(mean) / count < 0.01);
+        CHECK(std::sqrt(0.5 * square / count) > 0.1);
+        CHECK(std::sqrt(0.5 * square / count) < 0.3);
+        for (const std::vector<double>& steps : {step, colour_step}) {
+            double usual = 0.0;
+            for (const double one : steps) usual += one / static_cast<double>(steps.size());
+            CHECK(steps[width / 2 - 1] < 1.3 * usual);
+        }
+    }
 }

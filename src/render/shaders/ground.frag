@@ -26,6 +26,10 @@ void main() {
     vec3 normal = from_octahedral(texelFetch(normal_buffer, pixel, 0).rg);
     vec3 position = position_at(place, texelFetch(depth_buffer, pixel, 0).r);
     float water = ground_wishes.x * material.g;
-    vec3 reflectance = reflectance_of(vec4(colour.r, material.r, colour.gb), water, position, footprint_m(position, normal));
-    write_surface(reflectance, normal, mix(rough_land, rough_sea, water), water);
+    float footprint = footprint_m(position, normal);
+    Detail detail = Detail(0.0, 0.0, vec3(0.0), vec3(0.0));
+    if (water < 1.0) detail = detail_at(position, footprint, int(ground_wishes.z));
+    vec4 cover = vec4(colour.r, material.r, colour.gb), there = cover_in_patches(cover, detail);
+    vec3 reflectance = reflectance_of(there, detail, water, position, footprint);
+    write_surface(reflectance, normal_of(normal, cover, detail), mix(rough_land, rough_sea, water), water);
 }

@@ -3,7 +3,7 @@
 const int grass = 0, steppe = 1, sand = 2, rock = 3, snow = 4, sea = 5;
 layout(std140, binding = 1) uniform Ground {
     vec4 ground_reflectance[6];  // and contrast
-    vec4 ground_tint[6];
+    vec4 ground_tint[6];         // and relief
     vec4 ground_wishes;  // 1 if what lies below 0 m is under water; a pixel of the image from north to south, in metres, or 0; the widest octave
 };
 layout(binding = 4) uniform sampler2D ground_image;
@@ -42,14 +42,22 @@ vec3 image_reflectance(vec3 direction, float footprint_m) {
     return textureLod(ground_image, place, log2(footprint_m / ground_wishes.y)).rgb;
 }
 
-// Of the ground, and of the sea where there is water.
-vec3 reflectance_of(vec4 cover, float water, vec3 place, float footprint_m) {
-    Detail detail = Detail(0.0, 0.0, vec3(0.0));
-    if (water < 1.0) detail = detail_at(place, footprint_m, int(ground_wishes.z));
-    vec4 there = cover_in_patches(cover, detail);
+// The colour of the ground, and of the sea where there is water; `there`: what covers it in patches.
+vec3 reflectance_of(vec4 there, Detail detail, float water, vec3 position, float footprint_m) {
     if (ground_wishes.y > 0.0) {
-        vec3 image = image_reflectance(normalize(vec3(camera_eye_m.xyz) + place), footprint_m);
+        vec3 image = image_reflectance(normalize(vec3(camera_eye_m.xyz) + position), footprint_m);
         return image * mix(covered_variation(there, detail), vec3(1.0), water);
     }
     return mix(covered_reflectance(there, detail), ground_reflectance[sea].rgb, water);
+}
+
+// A normal turned by slopes that are given along the axes of the world: what of them is along the surface, by Gram and Schmidt's step
+// [Mikkelsen2010]. No tangents are asked for, which nowhere on a sphere can be continuous everywhere.
+vec3 sloped(vec3 normal, vec3 slope) { return normalize(normal - (slope - dot(slope, normal) * normal)); }
+
+// By what covers the ground at large: patches follow slopes, and would tilt the ground in the mean.
+vec3 normal_of(vec3 normal, vec4 cover, Detail detail) {
+    float relief = ground_tint[grass].w;
+    for (int kind = steppe; kind <= snow; ++kind) relief = mix(relief, ground_tint[kind].w, cover[kind - steppe]);
+    return sloped(normal, relief * detail.bumps);
 }

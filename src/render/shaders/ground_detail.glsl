@@ -46,21 +46,23 @@ vec4 octave_noise(int octave, vec3 place) {
 struct Detail {
     float grain, patches;
     vec3 slope;  // the gradient of the grain, for a wavelength of one
+    vec3 bumps;  // the same with less of what is wide, which the triangles have
 };
 
 // At a place relative to the eye, where a pixel is `footprint_m` wide; octaves go up to `widest`.
 Detail detail_at(vec3 place, float footprint_m, int widest) {
     float x = max(0.5 * log2(footprint_m * least_pixels / narrowest_m), 0.0), share = fract(x);
     int first = int(x);
-    Detail sum = Detail(0.0, 0.0, vec3(0.0));
+    Detail sum = Detail(0.0, 0.0, vec3(0.0), vec3(0.0));
     for (int i = 0; i < 3; ++i) {
         int octave = first + i;
-        float weight = sqrt(0.5) * (i == 0 ? 1.0 - share : i == 1 ? 1.0 : share);
+        float weight = sqrt(0.5) * (i == 0 ? 1.0 - share : i == 1 ? 1.0 : share), bump = 0.5 * (i == 0 ? 2.0 - 2.0 * share : i == 1 ? 1.0 + share : share);
         if (octave > widest || weight == 0.0) continue;
-        vec4 noise = weight * octave_noise(octave, place);
+        vec4 whole = octave_noise(octave, place), noise = weight * whole;
         sum.grain += noise.w;
         sum.patches += octave % 2 == 0 ? noise.w : -noise.w;
         sum.slope += noise.xyz;
+        sum.bumps += bump * whole.xyz;
     }
     return sum;
 }
