@@ -4,7 +4,7 @@
 FIGURES := density_profile mean_density sky_columns sky_parameter phase_functions sky_by_altitude sky_from_altitudes scattering_orders \
   rayleigh_coefficient rayleigh_scale_height mie_coefficient mie_scale_height
 
-.PHONY: help setup build demo test truth models models-grounds figures gallery bench fuzz check sanitize install clean
+.PHONY: help setup build demo test truth models models-grounds figures gallery golden bench fuzz check sanitize install clean
 
 help:
 	@echo 'make demo      install what is missing, build, and compute a real sky and frames of the real Earth; names the files it wrote'
@@ -14,6 +14,7 @@ help:
 	@echo 'make models-grounds  the same for other grounds and turbid air: docs/models-grounds.md (about ten minutes; goes on if stopped)'
 	@echo 'make figures   the pictures of docs/gallery.md, in docs/images/figures (three minutes; goes on if stopped)'
 	@echo 'make gallery   the other pictures of docs/gallery.md, in docs/images/gallery (five minutes; goes on if stopped)'
+	@echo 'make golden    makes the golden pictures of the tests anew (tests/golden), where the new look is meant'
 	@echo 'make bench     benchmarks'
 	@echo 'make fuzz      fuzz every parser of files from strangers, FUZZ_SECONDS=60 each'
 	@echo 'make check     a second compiler, format, clang-tidy, every header alone'
@@ -79,6 +80,10 @@ gallery: setup build/release/build.ninja
 	@tools/install-packages packages/debian-demo.txt packages/debian-gallery.txt
 	cmake --build --preset release --target airlight
 	tools/gallery build/release/apps/airlight/airlight docs/images/gallery out/gallery
+
+golden: setup build/release/build.ninja
+	cmake --build --preset release --target airlight
+	tests/golden/draw build/release/apps/airlight/airlight out/golden/tables tests/golden
 
 bench: build
 	tools/run-benchmarks build/release/benchmarks

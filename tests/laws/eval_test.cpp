@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 
@@ -13,6 +14,7 @@
 #include "eval/drawn.h"
 #include "eval/measured_sky.h"
 #include "eval/models_page.h"
+#include "eval/picture_difference.h"
 #include "eval/report.h"
 #include "eval/truth_file.h"
 #include "tools/temporary_folder.h"
@@ -113,6 +115,34 @@ std::string measured_file(const test::TemporaryFolder& folder, const std::string
     return path.string();
 }
 
+// A blue that gets paler downward, by a level a row; each of its channels more by `more`, shifted by rows, its levels dithered by +-amount.
+PngLevels gradient(std::array<int, 3> more, int rows, double amount) {
+    PngLevels picture{64, 36, 3, 8, {}};
+    for (int row = 0; row < picture.height; ++row)
+        for (int column = 0; column < picture.width; ++column)
+            for (int channel = 0; channel < 3; ++channel) {
+                const double dither = (row + column) % 2 == 0 ? amount : -amount;
+                const std::array<int, 3> blue = {70 + row + rows, 110 + row + rows, 160 + row + rows};
+                const auto at = static_cast<std::size_t>(channel);
+                picture.levels.push_back(static_cast<std::uint16_t>(blue[at] + more[at] + dither));
+            }
+    return picture;
+}
+
+// Dark to the left of a column, light from it on.
+PngLevels edge_at(int edge) {
+    PngLevels picture{40, 10, 3, 8, {}};
+    for (int i = 0; i < picture.width * picture.height; ++i)
+        picture.levels.insert(picture.levels.end(), 3, i % picture.width < edge ? std::uint16_t{40} : std::uint16_t{200});
+    return picture;
+}
+
+PictureDifference difference_of(const PngLevels& one, const PngLevels& other) {
+    Result<PictureDifference> difference = picture_difference(one, other);
+    if (!difference) FAIL(difference.error().message());
+    return *std::move(difference);
+}
+
 }  // namespace
 
 TEST_CASE("CIEDE2000 gives the published differences of the published pairs, both ways") {
@@ -131,6 +161,35 @@ TEST_CASE("white is the lightest grey of CIELAB, and grey of 18.4 % is half as l
     // L* = 50: (66/116)^3.
     CHECK(lab(std::pow(66.0 / 116.0, 3.0) * white, white).l == doctest::Approx(50.0));
     CHECK(lab({0.0, 0.0, 0.0}, white).l == doctest::Approx(0.0));
+}
+
+TEST_CASE("pictures: equal ones do not differ; a level of 255 and dither are not seen, a shade of eight and another hue are") {
+    const PngLevels sky = gradient({0, 0, 0}, 0, 0.0);
+    CHECK(difference_of(sky, sky).mean == 0.0);
+    CHECK(difference_of(sky, sky).high == 0.0);
+    CHECK(difference_of(sky, gradient({1, 1, 1}, 0, 0.0)).high < 0.5);
+    CHECK(difference_of(sky, gradient({0, 0, 0}, 0, 1.0)).high < 0.5);
+    CHECK(difference_of(sky, gradient({8, 8, 8}, 0, 0.0)).mean > 1.0);
+    CHECK(difference_of(sky, gradient({0, 8, 0}, 0, 0.0)).mean > 1.0);
+    const PngLevels lighter = gradient({8, 8, 8}, 0, 0.0);
+    CHECK(difference_of(sky, lighter).mean == doctest::Approx(difference_of(lighter, sky).mean).epsilon(1e-12));
+}
+
+TEST_CASE("pictures: a smooth one shifted by a pixel is the same, an edge shifted by one is seen where it is, and nowhere else") {
+    CHECK(difference_of(gradient({0, 0, 0}, 0, 0.0), gradient({0, 0, 0}, 1, 0.0)).high < 1.0);
+    const PictureDifference edge = difference_of(edge_at(20), edge_at(21));
+    CHECK(edge.high > 10.0);
+    CHECK(edge.pixels.pixel(10, 5)[0] == 0.0f);
+    CHECK(edge.pixels.pixel(20, 5)[0] > 10.0f);
+    CHECK(edge.pixels.pixel(30, 5)[0] == 0.0f);
+}
+
+TEST_CASE("pictures of other sizes, or of greys, are not compared") {
+    PngLevels wide = edge_at(20), grey = edge_at(20);
+    wide.width /= 2, wide.height *= 2;
+    grey.channels = 1, grey.width *= 3;
+    CHECK(!picture_difference(wide, edge_at(20)));
+    CHECK(!picture_difference(grey, grey));
 }
 
 TEST_CASE("a sky that is the truth has no error, and one a tenth too bright has a tenth of error and no other colour") {
