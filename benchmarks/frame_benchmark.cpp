@@ -64,7 +64,7 @@ Result<render::Frame> frame_over(const HeightField& field, const gpu::Context& c
     if (!pass) return pass.error();
     Result<render::ShaftsPass> shafts = render::ShaftsPass::create(camera.width, camera.height, render::Shafts::epipolar, &air);
     if (!shafts) return shafts.error();
-    return render::Frame::create(context, field, ground_colour, camera, *std::move(pass), *std::move(shafts));
+    return render::Frame::create(context, field, {}, camera, *std::move(pass), *std::move(shafts));
 }
 
 void frame(benchmark::State& state, Way way) {

@@ -1,6 +1,6 @@
 #version 450 core
 // The shade of each pixel: of the light that the air scatters once towards the eye, the share that stays, between those of the rays around
-// that go about as far [Kopf2007]; in alpha, the share of the sun's light that reaches the pixel's surface.
+// that go about as far [KopfEtAl2007]; in alpha, the share of the sun's light that reaches the pixel's surface.
 #include "camera.glsl"
 #include "shadow.glsl"
 layout(binding = 0) uniform sampler2D depth_buffer;
