@@ -3,11 +3,13 @@
 #include <epoxy/gl.h>
 
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "render/shaders.h"
 #include "spectrum/colour.h"
+#include "terrain/cube_sphere.h"
 
 namespace airlight::render {
 
@@ -38,6 +40,12 @@ std::vector<Four> light_of(std::span<const Star> stars) {
         light.push_back(four({rgb.r, rgb.g, rgb.b}));
     }
     return light;
+}
+
+// Whether something of an angular radius may be in the picture, however air bends the rays to it: by 0.02 at most.
+bool may_see(const Camera& camera, Vec3 towards, double radius) {
+    const HalfSize half = half_size(camera);
+    return angle_between(camera.forward, towards) < std::atan(std::hypot(half.width, half.height)) + radius + 0.03;
 }
 
 }  // namespace
@@ -99,8 +107,13 @@ void BackgroundPass::draw(const Camera& camera, const Heavens& heavens, const Be
     bends.bind_sampler(0);
     target_.bind();
     glDisable(GL_DEPTH_TEST);
-    disks_.use();
-    nothing_.draw_triangles(3);
+    if (may_see(camera, heavens.towards_sun, 20.0 * sun_radius(heavens)) ||
+        (moon && may_see(camera, moon->towards, moon->angular_radius))) {
+        disks_.use();
+        nothing_.draw_triangles(3);
+    } else {
+        target_.clear_colour(0, 0.0f, 0.0f, 0.0f, 1.0f);
+    }
     if (star_count_ == 0) return;
     stars_.bind_storage(0);
     points_.use();

@@ -44,9 +44,8 @@ Surface surface_at(ivec2 pixel, vec3 direction) {
     float h = max(eye_up.w, 0.0), mu = dot(direction, eye_up.xyz);
     bool sphere = !surface.there && meets_ground(h, mu, air_shell.x);
     if (sphere) surface.position = direction * distance_to_ground(h, mu, air_shell.x);
-    dvec3 from_centre = camera_eye_m.xyz + dvec3(surface.position);
-    surface.up = normalize(vec3(from_centre));
-    surface.h = max(float(length(from_centre) - double(air_shell.x)), 0.0);
+    surface.up = normalize(eye_up.xyz * (air_shell.x + h) + surface.position);
+    surface.h = max(altitude_at(h, mu, length(surface.position), air_shell.x), 0.0);
     if (sphere) {
         surface.there = true;
         surface.reflectance = ground_albedo.rgb;
