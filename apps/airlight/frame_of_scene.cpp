@@ -24,14 +24,14 @@ DrawnFrame drawn_with_figures(Image image, const gpu::Context& context, const re
 }
 
 // Where each of the cameras is, over the ground.
-Result<std::vector<Camera>> cameras_of(const Scene& scene, std::span<const CameraScene> seen, const HeightField& ground, int width,
+Result<std::vector<Camera>> cameras_of(const Scene& scene, std::span<const Picture> pictures, const HeightField& ground, int width,
                                        int height) {
     std::vector<Camera> cameras;
-    for (const CameraScene& one : seen) {
+    for (const Picture& picture : pictures) {
         Scene from = scene;
-        from.camera = one;
+        from.camera = picture.camera;
         const Result<Camera> camera = camera_of(from, ground, width, height);
-        if (!camera) return seen.size() == 1 ? camera.error() : at(fmt::format("picture {}", cameras.size()), camera.error());
+        if (!camera) return pictures.size() == 1 ? camera.error() : at(fmt::format("picture {}", cameras.size()), camera.error());
         cameras.push_back(*camera);
     }
     return cameras;
@@ -44,8 +44,9 @@ const Camera& narrowest(std::span<const Camera> cameras) { return *std::ranges::
 
 struct SceneFrames::Parts {
     std::unique_ptr<gpu::Context> context;
+    Scene scene;  // at the time of the first picture
     std::vector<Camera> cameras;
-    render::Lights lights;
+    std::vector<std::optional<Utc>> times;
     render::Frame frame;
 };
 
@@ -54,13 +55,15 @@ SceneFrames::SceneFrames(SceneFrames&&) noexcept = default;
 SceneFrames& SceneFrames::operator=(SceneFrames&&) noexcept = default;
 SceneFrames::~SceneFrames() = default;
 
-Result<SceneFrames> SceneFrames::create(const Scene& scene, std::span<const CameraScene> cameras, int width, int height,
+Result<SceneFrames> SceneFrames::create(const Scene& said, std::span<const Picture> pictures, int width, int height,
                                         const TableWishes& wishes) {
+    Scene scene = said;
+    if (pictures.front().time) set_time(scene, *pictures.front().time);
     const Result<HeightField> ground = ground_of(scene);
     if (!ground) return ground.error();
     const Result<GroundColour> colour = colour_of(scene);
     if (!colour) return colour.error();
-    Result<std::vector<Camera>> placed = cameras_of(scene, cameras, *ground, width, height);
+    Result<std::vector<Camera>> placed = cameras_of(scene, pictures, *ground, width, height);
     if (!placed) return placed.error();
     const Result<std::optional<Atmosphere>> air = air_of(scene);
     if (!air) return air.error();
@@ -76,11 +79,20 @@ Result<SceneFrames> SceneFrames::create(const Scene& scene, std::span<const Came
     Result<render::Frame> frame =
         render::Frame::create(*context, *ground, *colour, narrowest(*placed), *std::move(pass), *std::move(shafts), stars_of(scene));
     if (!frame) return frame.error();
-    return SceneFrames(std::make_unique<Parts>(Parts{std::move(context), *std::move(placed), lights_of(scene), *std::move(frame)}));
+    std::vector<std::optional<Utc>> times;
+    for (const Picture& picture : pictures) times.push_back(picture.time);
+    return SceneFrames(
+        std::make_unique<Parts>(Parts{std::move(context), std::move(scene), *std::move(placed), std::move(times), *std::move(frame)}));
 }
 
-Result<DrawnFrame> SceneFrames::draw(std::size_t camera) {
-    Result<Image> image = parts_->frame.draw(parts_->cameras[camera], parts_->lights);
+Result<DrawnFrame> SceneFrames::draw(std::size_t picture) {
+    Scene scene = parts_->scene;
+    if (const std::optional<Utc>& time = parts_->times[picture]) {
+        set_time(scene, *time);
+        scene.sun.distance_au = parts_->scene.sun.distance_au;  // the air's light was made for it
+        parts_->frame.take(stars_of(scene));
+    }
+    Result<Image> image = parts_->frame.draw(parts_->cameras[picture], lights_of(scene));
     if (!image) return image.error();
     bring_into_gamut(*image);
     return drawn_with_figures(std::move(*image), *parts_->context, parts_->frame);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <tuple>
@@ -27,20 +28,26 @@ struct TableWishes {
     Progress progress;
 };
 
+// One picture of a scene.
+struct Picture {
+    CameraScene camera;
+    std::optional<Utc> time = {};  // of sun, moon and stars; none: they stand as the scene's own camera sees them
+};
+
 // A scene made ready once, for any number of its pictures: its ground, its air and an OpenGL context.
 class SceneFrames {
 public:
-    // For pictures of this size, one for each of the cameras, of which there is at least one; the sun stands as the scene's own camera
-    // sees it. The tables are baked, or loaded, unless the scene has no air. Fails, before that, if a camera would be in the ground; the
-    // error says which, counted from 0, if there are several.
-    static Result<SceneFrames> create(const Scene& scene, std::span<const CameraScene> cameras, int width, int height,
+    // For these pictures, of which there is at least one, all of this size. The sun is as far in all of them as in the first. The tables
+    // are baked, or loaded, unless the scene has no air. Fails, before that, if a camera would be in the ground; the error says which,
+    // counted from 0, if there are several.
+    static Result<SceneFrames> create(const Scene& scene, std::span<const Picture> pictures, int width, int height,
                                       const TableWishes& tables);
     SceneFrames(SceneFrames&&) noexcept;
     SceneFrames& operator=(SceneFrames&&) noexcept;
     ~SceneFrames();
 
-    // As the camera of this number sees it. Fails if the GPU was reset.
-    Result<DrawnFrame> draw(std::size_t camera);
+    // The picture of this number. Fails if the GPU was reset.
+    Result<DrawnFrame> draw(std::size_t picture);
 
 private:
     struct Parts;

@@ -9,7 +9,7 @@ SceneFrames::SceneFrames(SceneFrames&&) noexcept = default;
 SceneFrames& SceneFrames::operator=(SceneFrames&&) noexcept = default;
 SceneFrames::~SceneFrames() = default;
 
-Result<SceneFrames> SceneFrames::create(const Scene&, std::span<const CameraScene>, int, int, const TableWishes&) {
+Result<SceneFrames> SceneFrames::create(const Scene&, std::span<const Picture>, int, int, const TableWishes&) {
     return Error{"airlight render", "this airlight was built without OpenGL.",
                  "Build it with libepoxy-dev and libegl-dev, and -DAIRLIGHT_GPU=ON."};
 }

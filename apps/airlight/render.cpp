@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -23,6 +25,7 @@
 #include "spectrum/colour.h"
 #include "table_wishes.h"
 #include "units/text.h"
+#include "video.h"
 
 namespace airlight::cli {
 
@@ -62,14 +65,26 @@ Result<Done> check_output(const std::string& path) {
     return can_write(path);
 }
 
+Result<Done> check_video(const RenderOptions& given) {
+    if (const Result<Done> possible = can_make_videos(); !possible) return possible.error();
+    if (given.width % 2 != 0 || given.height % 2 != 0)
+        return Error{"--width, --height", fmt::format("a video of {} x {} pixels cannot be: both must be even", given.width, given.height),
+                     ""};
+    return can_write(given.outputs[0]);
+}
+
 Result<Done> check_outputs(const RenderOptions& given) {
     if (given.path.empty()) {
         for (const std::string& path : given.outputs)
             if (const Result<Done> possible = check_output(path); !possible) return possible.error();
         return Done{};
     }
-    if (given.outputs.size() != 1 || std::filesystem::path(given.outputs[0]).has_extension())
-        return Error{"--output", "the pictures of a path go into one folder", "Write -o frames/."};
+    const std::filesystem::path output = given.outputs[0];
+    if (given.outputs.size() != 1 || (output.has_extension() && !is_video(output)))
+        return Error{"--output", fmt::format("the pictures of a path go into one folder, or into one video ({})", video_extensions),
+                     "Write -o frames/, or -o flight.mp4."};
+    if (is_video(output))
+        if (const Result<Done> possible = check_video(given); !possible) return possible.error();
     if (!(given.rate > 0.0 && given.rate <= 1000.0))
         return Error{"--rate", fmt::format("{} is out of range: it must be above 0 and at most 1000 pictures a second", given.rate), ""};
     return Done{};
@@ -168,14 +183,22 @@ Result<std::string> ingredients_of(const RenderOptions& given, const Scene& scen
     return made_of;
 }
 
-std::vector<CameraScene> cameras_of(const CameraPath& path, const std::vector<double>& times) {
-    std::vector<CameraScene> cameras;
-    for (const double time : times) {
-        const CameraKey key = camera_at(path, time);
-        cameras.push_back({.viewpoint = key.eye, .vertical_field_of_view = key.vertical_field_of_view});
+Result<std::vector<Picture>> pictures_of(const Scene& scene, const CameraPath& path, const std::vector<double>& times) {
+    CameraPath way = path;
+    if (std::ranges::any_of(path.keys, &CameraKey::above_ground)) {
+        const Result<HeightField> ground = ground_of(scene);
+        if (!ground) return ground.error();
+        way = over(*ground, path);
     }
-    return cameras;
+    std::vector<Picture> pictures;
+    for (const double time : times) {
+        const CameraKey key = camera_at(way, time);
+        pictures.push_back({{.viewpoint = key.eye, .vertical_field_of_view = key.vertical_field_of_view}, key.sky_time});
+    }
+    return pictures;
 }
+
+Error interrupted() { return {"", "the path was interrupted", "What was finished is kept: the same command goes on from there."}; }
 
 // The exposure of the next picture: fixed, or metered and followed as an eye does.
 double followed_exposure(const Image& image, const Wishes& wishes, const std::vector<double>& before, double rate) {
@@ -184,22 +207,38 @@ double followed_exposure(const Image& image, const Wishes& wishes, const std::ve
     return adapted_exposure(before.back(), now, 1.0 / rate, {});
 }
 
+// The pictures of a folder as a video.
+Result<Done> write_video(const RenderOptions& given, const FrameFolder& folder, const Progress& progress) {
+    Result<Video> video = Video::open(given.outputs[0], given.width, given.height, given.rate);
+    if (!video) return video.error();
+    const std::size_t pictures = folder.exposures().size();
+    for (std::size_t number = 0; number < pictures; ++number) {
+        progress.report("video", static_cast<double>(number) / static_cast<double>(pictures));
+        if (progress.stop.stop_requested()) return interrupted();
+        const Result<PngLevels> picture = read_png(folder.picture(number));
+        if (!picture) return picture.error();
+        if (const Result<Done> added = video->add(*picture); !added) return added.error();
+    }
+    return video->close();
+}
+
 Result<Done> run_path(const RenderOptions& given, const Wishes& wishes) {
     const std::vector<double> times = picture_times(*wishes.path, given.rate);
-    const std::vector<CameraScene> cameras = cameras_of(*wishes.path, times);
     const Result<std::string> made_of = ingredients_of(given, wishes.scene);
     if (!made_of) return made_of.error();
-    Result<FrameFolder> folder = FrameFolder::open(given.outputs[0], *made_of);
+    const bool video = is_video(given.outputs[0]);
+    Result<FrameFolder> folder = FrameFolder::open(given.outputs[0] + (video ? ".frames" : ""), *made_of);
     if (!folder) return folder.error();
     const std::size_t kept = folder->exposures().size();
     Figures figures;
     if (kept < times.size()) {
-        Result<SceneFrames> frames = SceneFrames::create(wishes.scene, cameras, given.width, given.height, wishes.tables);
+        const Result<std::vector<Picture>> pictures = pictures_of(wishes.scene, *wishes.path, times);
+        if (!pictures) return pictures.error();
+        Result<SceneFrames> frames = SceneFrames::create(wishes.scene, *pictures, given.width, given.height, wishes.tables);
         if (!frames) return frames.error();
         for (std::size_t number = kept; number < times.size(); ++number) {
             wishes.tables.progress.report("pictures", static_cast<double>(number) / static_cast<double>(times.size()));
-            if (wishes.tables.progress.stop.stop_requested())
-                return Error{"", "the path was interrupted", "What was finished is kept: the same command goes on from there."};
+            if (wishes.tables.progress.stop.stop_requested()) return interrupted();
             const Result<DrawnFrame> drawn = frames->draw(number);
             if (!drawn) return drawn.error();
             const double exposure = followed_exposure(drawn->image, wishes, folder->exposures(), given.rate);
@@ -209,14 +248,19 @@ Result<Done> run_path(const RenderOptions& given, const Wishes& wishes) {
             figures = drawn->figures;
         }
     }
+    if (video) {
+        if (const Result<Done> written = write_video(given, *folder, wishes.tables.progress); !written) return written.error();
+        if (const Result<Done> gone = folder->discard(); !gone) return gone.error();
+    }
     fmt::print("quantity,value,unit\n");
     print(figures);
-    fmt::print("pictures kept,{},\npictures drawn,{},\nfolder,{},\n", kept, times.size() - kept, given.outputs[0]);
+    fmt::print("pictures kept,{},\npictures drawn,{},\n{},{},\n", kept, times.size() - kept, video ? "file" : "folder", given.outputs[0]);
     return Done{};
 }
 
 Result<Done> run_picture(const RenderOptions& given, const Wishes& wishes) {
-    Result<SceneFrames> frames = SceneFrames::create(wishes.scene, {&wishes.scene.camera, 1}, given.width, given.height, wishes.tables);
+    Result<SceneFrames> frames =
+        SceneFrames::create(wishes.scene, std::array{Picture{wishes.scene.camera}}, given.width, given.height, wishes.tables);
     if (!frames) return frames.error();
     const Result<DrawnFrame> drawn = frames->draw(0);
     if (!drawn) return drawn.error();
@@ -245,7 +289,8 @@ Command render_command(CLI::App& airlight) {
     render->add_option("scene", given->scene, "a scene file: docs/scene-file.md")->required()->option_text("<scene.toml>");
     render
         ->add_option("-o,--output", given->outputs,
-                     "a .exr (light in cd m-2) or .png file; may be given several times; with --path a folder")
+                     "a .exr (light in cd m-2) or .png file; may be given several times; with --path a folder, or a video where "
+                     "ffmpeg is installed")
         ->option_text("<file>")
         ->required();
     render->add_option("--path", given->path, "a camera path: docs/camera-path.md; the same command goes on with one that was stopped")

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "core/files.h"
+#include "scene/scene.h"
 #include "toml/toml_input.h"
 #include "units/text.h"
 
@@ -27,6 +28,28 @@ void read_within(TomlInput& key, std::string_view name, std::optional<double> va
     else kept = *value;
 }
 
+void read_altitude(TomlInput& key, CameraKey& read) {
+    read.above_ground = key.has("above_ground");
+    if (read.above_ground == key.has("altitude")) {
+        if (read.above_ground) key.refuse("altitude", "above_ground is given as well", "Keep one of them.");
+        else key.refuse_missing("altitude", "Write altitude = \"3 km\" (above 0 m), or above_ground = \"2 m\".");
+        return;
+    }
+    const std::string_view name = read.above_ground ? "above_ground" : "altitude";
+    const double least = read.above_ground ? 0.2 : -1e5;
+    const std::optional<Length> height = key.length(name);
+    read_within(key, name, height ? std::optional(height->in(m)) : std::nullopt, least, farthest_m,
+                fmt::format("from {} m to 1000000 km", least), read.eye.altitude_m);
+}
+
+void read_time(TomlInput& key, CameraKey& read) {
+    const auto words = key.text("time");
+    if (!words) return;
+    const Result<Utc> time = parse_utc(*words);
+    if (time) read.sky_time = *time;
+    else key.refuse("time", time.error().what, time.error().remedy);
+}
+
 CameraKey read_key(TomlInput& key) {
     CameraKey read;
     Viewpoint& eye = read.eye;
@@ -36,13 +59,12 @@ CameraKey read_key(TomlInput& key) {
                 "from -90 deg to 90 deg", eye.latitude);
     read_within(key, "longitude", key.need(&TomlInput::angle, "longitude", "East is positive: \"8 deg\"."), -180.0 * deg, 360.0 * deg,
                 "from -180 deg to 360 deg", eye.longitude);
-    const std::optional<Length> altitude = key.need(&TomlInput::length, "altitude", "Above 0 m: \"3 km\".");
-    read_within(key, "altitude", altitude ? std::optional(altitude->in(m)) : std::nullopt, -1e5, farthest_m, "from -100000 m to 1000000 km",
-                eye.altitude_m);
+    read_altitude(key, read);
     read_within(key, "heading", key.angle("heading"), -360.0 * deg, 360.0 * deg, "from -360 deg to 360 deg", eye.heading);
     read_within(key, "pitch", key.angle("pitch"), -90.0 * deg, 90.0 * deg, "from -90 deg to 90 deg", eye.pitch);
     read_within(key, "field_of_view", key.angle("field_of_view"), 1.0 * deg, 150.0 * deg, "from 1 deg to 150 deg",
                 read.vertical_field_of_view);
+    read_time(key, read);
     key.refuse_unknown_keys();
     return read;
 }
@@ -54,6 +76,8 @@ void check_after(TomlInput& key, const CameraKey& before, const CameraKey& now) 
         key.refuse("time_s", fmt::format("it must be after the key before, {}", before.time_s), "Write the keys in their order.");
     if (glm::dot(place(before), place(now)) < std::cos(farthest_apart))
         key.refuse("latitude", "the key before is on the other side of the planet", "Put a key between them.");
+    if (before.sky_time && !now.sky_time) key.refuse_missing("time", "The keys before have one: write it in each key, or in none.");
+    if (!before.sky_time && now.sky_time) key.refuse("time", "the keys before have none", "Write it in each key, or in none.");
 }
 
 // One component over all keys, at a time within the piece [i, i + 1]: Steffen's monotone cubic.
@@ -116,18 +140,30 @@ Result<CameraPath> read_camera_path(const std::filesystem::path& path) {
 
 std::string camera_path_text(const CameraPath& path) {
     std::string text = "# The way of a camera: docs/camera-path.md\n";
-    for (const CameraKey& key : path.keys)
+    for (const CameraKey& key : path.keys) {
         text += fmt::format(
-            "\n[[key]]\ntime_s = {}\nlatitude = \"{}\"\nlongitude = \"{}\"\naltitude = \"{}\"\nheading = \"{}\"\npitch = \"{}\"\n"
+            "\n[[key]]\ntime_s = {}\nlatitude = \"{}\"\nlongitude = \"{}\"\n{} = \"{}\"\nheading = \"{}\"\npitch = \"{}\"\n"
             "field_of_view = \"{}\"\n",
-            key.time_s, angle_text(key.eye.latitude), angle_text(key.eye.longitude), length_text(key.eye.altitude_m * m),
-            angle_text(key.eye.heading), angle_text(key.eye.pitch), angle_text(key.vertical_field_of_view));
+            key.time_s, angle_text(key.eye.latitude), angle_text(key.eye.longitude), key.above_ground ? "above_ground" : "altitude",
+            length_text(key.eye.altitude_m * m), angle_text(key.eye.heading), angle_text(key.eye.pitch),
+            angle_text(key.vertical_field_of_view));
+        if (key.sky_time) text += fmt::format("time = \"{}\"\n", utc_text(*key.sky_time, 3));
+    }
     return text;
+}
+
+CameraPath over(const HeightField& ground, CameraPath path) {
+    for (CameraKey& key : path.keys) {
+        if (key.above_ground) key.eye.altitude_m += surface_m(key.eye, ground);
+        key.above_ground = false;
+    }
+    return path;
 }
 
 CameraKey camera_at(const CameraPath& path, double time_s) {
     const std::vector<CameraKey>& keys = path.keys;
     assert(!keys.empty());
+    assert(std::ranges::none_of(keys, &CameraKey::above_ground));
     const auto after = std::upper_bound(keys.begin(), keys.end(), time_s, [](double t, const CameraKey& key) { return t < key.time_s; });
     if (after == keys.begin() || after == keys.end()) {
         CameraKey still = after == keys.begin() ? keys.front() : keys.back();
@@ -149,6 +185,8 @@ CameraKey camera_at(const CameraPath& path, double time_s) {
     key.eye.heading = std::remainder(at([&](std::size_t k) { return headings[k]; }), 2.0 * pi);
     key.eye.pitch = at([&](std::size_t k) { return keys[k].eye.pitch; });
     key.vertical_field_of_view = at([&](std::size_t k) { return keys[k].vertical_field_of_view; });
+    if (const std::optional<Utc>& first = keys.front().sky_time)
+        key.sky_time = *airlight::after(*first, at([&](std::size_t k) { return seconds_between(*first, *keys[k].sky_time); }));
     return key;
 }
 

@@ -85,4 +85,15 @@ Result<Done> FrameFolder::add(double exposure) {
     return write_file(list_of(folder_), text);
 }
 
+Result<Done> FrameFolder::discard() {
+    std::error_code failed;
+    // The list first: a folder that loses its pictures halfway has none.
+    std::filesystem::remove(list_of(folder_), failed);
+    for (std::size_t number = 0; number < exposures_.size() && !failed; ++number) std::filesystem::remove(picture(number), failed);
+    exposures_.clear();
+    if (!failed && std::filesystem::is_empty(folder_, failed) && !failed) std::filesystem::remove(folder_, failed);
+    if (failed) return Error{folder_.string(), fmt::format("cannot be removed: {}", failed.message()), ""};
+    return Done{};
+}
+
 }  // namespace airlight

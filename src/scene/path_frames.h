@@ -33,6 +33,9 @@ public:
     // The next picture is in its place, and had this exposure. Fails if that cannot be written.
     Result<Done> add(double exposure);
 
+    // Removes its pictures and its list, and the folder, if nothing else is in it. Fails if one of them stays.
+    Result<Done> discard();
+
 private:
     FrameFolder(std::filesystem::path folder, std::string key, std::vector<double> exposures)
         : folder_(std::move(folder)), key_(std::move(key)), exposures_(std::move(exposures)) {}

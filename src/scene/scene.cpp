@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "sun/position.h"
@@ -55,10 +56,15 @@ Result<GroundColour> colour_of(const Scene& scene) {
     return GroundColour{};
 }
 
+double surface_m(const Viewpoint& place, const HeightField& ground) {
+    // Heights count all features; how wide those of the slope are does not matter here.
+    const double height = ground.sample(direction_of(place.latitude, place.longitude), 1.0).height_m;
+    return ground.sea ? std::max(height, 0.0) : height;
+}
+
 Result<Camera> camera_of(const Scene& scene, const HeightField& ground, int width, int height) {
     Viewpoint view = scene.camera.viewpoint;
-    const double there = ground.sample(direction_of(view.latitude, view.longitude), 1.0).height_m;
-    const double surface = ground.sea ? std::max(0.0, there) : there;
+    const double surface = surface_m(view, ground);
     if (scene.camera.above_ground) view.altitude_m += surface;
     if (view.altitude_m <= surface)
         return Error{scene.file,

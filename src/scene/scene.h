@@ -106,6 +106,9 @@ Result<HeightField> ground_of(const Scene& scene);
 // Fails as surface_image() does.
 Result<GroundColour> colour_of(const Scene& scene);
 
+// The height of the ground, or of the sea above it, at a place, in metres.
+double surface_m(const Viewpoint& place, const HeightField& ground);
+
 // Fails if the camera would be in the ground.
 Result<Camera> camera_of(const Scene& scene, const HeightField& ground, int width, int height);
 

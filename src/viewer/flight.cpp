@@ -13,12 +13,6 @@ constexpr double longest_step_s = 1.0 / 500.0;
 // Below this height a pilot is as fast as at it: a walk, where the height alone would let no one move.
 constexpr double slowest_height_m = 4.0;
 
-// Heights count all features; how wide those of the slope are does not matter here.
-double ground_m(Vec3 direction, const HeightField& ground) {
-    const double height = ground.sample(direction, 1.0).height_m;
-    return ground.sea ? std::max(height, 0.0) : height;
-}
-
 struct LocalFrame {
     Vec3 up, east, north;
 };
@@ -51,8 +45,6 @@ Viewpoint step(const Viewpoint& eye, const Steering& steering, double per_s, dou
 }
 
 }  // namespace
-
-double surface_m(const Viewpoint& eye, const HeightField& ground) { return ground_m(direction_of(eye.latitude, eye.longitude), ground); }
 
 double height_m(const Viewpoint& eye, const HeightField& ground) { return eye.altitude_m - surface_m(eye, ground); }
 

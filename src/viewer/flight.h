@@ -1,9 +1,8 @@
 // An eye that flies: from an orbit to the grass without a seam, and never into the ground.
-// Uses camera and terrain; knows no window.
+// Uses camera, scene and terrain; knows no window.
 #pragma once
 
-#include "camera/camera.h"
-#include "terrain/height_field.h"
+#include "scene/scene.h"
 
 namespace airlight::viewer {
 
@@ -17,8 +16,7 @@ inline constexpr double lowest_eye_m = 1.7;
 // Nor flies farther from 0 m.
 inline constexpr double highest_eye_m = 1e9;
 
-// The height of the ground, or of the sea above it, at the eye's place; and of the eye above it, in metres.
-double surface_m(const Viewpoint& eye, const HeightField& ground);
+// The height of the eye above the ground, or the sea, in metres.
 double height_m(const Viewpoint& eye, const HeightField& ground);
 
 // The speed at a height above the ground, in m/s: it grows with it, so that every part of the way from space takes as long.

@@ -49,9 +49,10 @@ Result<Done> PathEdit::add(CameraKey key, double seconds) {
     std::vector<CameraKey> longer = keys();
     key.time_s = longer.empty() ? 0.0 : longer.back().time_s + seconds;
     longer.push_back(key);
-    // What the file's reader would refuse is refused here.
-    if (const Result<CameraPath> read = parse_camera_path(camera_path_text({longer}), "the new key"); !read) return read.error();
-    take(std::move(longer));
+    // What the file's reader would refuse is refused here, and the path is what it will read.
+    Result<CameraPath> read = parse_camera_path(camera_path_text({longer}), "the new key");
+    if (!read) return read.error();
+    take(std::move(read->keys));
     return save();
 }
 

@@ -36,6 +36,9 @@ if(AIRLIGHT_GPU)
   airlight_cli_test("render: a path that leads into the ground is told before it is drawn" EXIT 1 ERR "^picture [0-9]+: .*is in the ground"
     COMMAND render ${mountains} ${small_air} --path ${paths}/buried.toml --width 64 --height 36 -o frames)
   add_test(NAME "cli: render: a path that is stopped goes on to the same pictures"
-           COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/interrupted_path $<TARGET_FILE:airlight> ${PROJECT_SOURCE_DIR}/data/demo/mountains.toml ${paths}/turn.toml)
-  set_tests_properties("cli: render: a path that is stopped goes on to the same pictures" PROPERTIES TIMEOUT 300)
+           COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/interrupted_path $<TARGET_FILE:airlight> ${PROJECT_SOURCE_DIR}/data/demo/mountains.toml ${paths}/sunset.toml)
+  add_test(NAME "cli: render: a path becomes a video, stopped or not"
+           COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/video_path $<TARGET_FILE:airlight> ${PROJECT_SOURCE_DIR}/data/demo/mountains.toml ${paths}/turn.toml)
+  set_tests_properties("cli: render: a path that is stopped goes on to the same pictures" "cli: render: a path becomes a video, stopped or not"
+                       PROPERTIES TIMEOUT 300)
 endif()

@@ -107,6 +107,48 @@ TEST_CASE("neither place nor speed jumps, at keys as well") {
     }
 }
 
+TEST_CASE("a key may count from the ground or the sea, and its path reads back so; over a ground it counts from 0 m") {
+    const std::string walk = "[[key]]\ntime_s = 0\nlatitude = \"46 deg\"\nlongitude = \"8 deg\"\nabove_ground = \"2 m\"\n";
+    const CameraPath path = *parse_camera_path(walk, "path.toml");
+    CHECK(path.keys[0].above_ground);
+    CHECK(*parse_camera_path(camera_path_text(path), "path.toml") == path);
+    HeightField ground{.radius_m = 6.371e6,
+                       .sample =
+                           [](Vec3, double) {
+                               return HeightSample{1500.0, {}, {}, {}};
+                           },
+                       .range = {},
+                       .detail = {},
+                       .whole = {},
+                       .sea = true};
+    CHECK(over(ground, path).keys[0].eye.altitude_m == 1502.0);
+    CHECK(!over(ground, path).keys[0].above_ground);
+    ground.sample = [](Vec3, double) { return HeightSample{-300.0, {}, {}, {}}; };
+    CHECK(over(ground, path).keys[0].eye.altitude_m == 2.0);
+    CHECK(over(ground, descent()) == descent());
+    says(error_of(walk + "altitude = \"2 km\"\n"), "key.altitude = \"2 km\": above_ground is given as well");
+    says(error_of("[[key]]\ntime_s = 0\nlatitude = \"4 deg\"\nlongitude = \"8 deg\"\nabove_ground = \"0 m\"\n"),
+         "it must be from 0.2 m to 1000000 km");
+}
+
+TEST_CASE("keys may say when the sun stands so: the time passes theirs, and never runs back between two of them") {
+    CameraPath path = descent();
+    const char* times[] = {"2024-06-21T10:00:00Z", "2024-06-21T12:00:00Z", "2024-06-21T19:30:15.25Z", "2024-06-22T04:00:00Z"};
+    for (std::size_t i = 0; i < path.keys.size(); ++i) path.keys[i].sky_time = *parse_utc(times[i]);
+    CHECK(*parse_camera_path(camera_path_text(path), "path.toml") == path);
+    for (const CameraKey& key : path.keys) CHECK(std::abs(seconds_between(*key.sky_time, *camera_at(path, key.time_s).sky_time)) < 1e-6);
+    CHECK(camera_at(path, -1.0).sky_time == path.keys.front().sky_time);
+    CHECK(camera_at(path, 99.0).sky_time == path.keys.back().sky_time);
+    for (double t = path.begin_s(); t < path.end_s(); t += 0.01)
+        CHECK(seconds_between(*camera_at(path, t).sky_time, *camera_at(path, t + 0.01).sky_time) >= 0.0);
+    CHECK(!camera_at(descent(), 2.0).sky_time);
+    const std::string timed = std::string(one_key) + "time = \"2024-06-21T10:00Z\"\n";
+    const std::string later = "[[key]]\ntime_s = 1\nlatitude = \"46 deg\"\nlongitude = \"8 deg\"\naltitude = \"20 km\"\n";
+    says(error_of(timed + later), "path.toml:7: key.time is missing");
+    says(error_of(one_key + later + "time = \"2024-06-21T10:00Z\"\n"), "the keys before have none");
+    says(error_of(std::string(one_key) + "time = \"noon\"\n"), "path.toml:6: key.time = \"noon\"");
+}
+
 TEST_CASE("a way past a pole is as even as any other") {
     const CameraPath path = {
         {{0.0, {.latitude = 89.0 * deg, .longitude = 0.0}}, {1.0, {.latitude = 89.0 * deg, .longitude = 180.0 * deg}}}};

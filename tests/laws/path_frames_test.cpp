@@ -47,6 +47,20 @@ TEST_CASE("a folder of frames knows on its next opening what it has") {
     CHECK(FrameFolder::open(path, "a scene")->exposures() == std::vector<double>{0.1});
 }
 
+TEST_CASE("a folder of frames that is discarded goes, but for what others have put there") {
+    const test::TemporaryFolder work;
+    for (const bool others : {false, true}) {
+        FrameFolder folder = *FrameFolder::open(work.path / "frames", "a scene");
+        for (int i = 0; i < 3; ++i) take(folder, 0.5);
+        if (others) REQUIRE(write_file(work.path / "frames/notes.txt", "mine"));
+        REQUIRE(folder.discard());
+        CHECK(std::filesystem::exists(work.path / "frames") == others);
+        CHECK(!std::filesystem::exists(work.path / "frames/00000.png"));
+        CHECK(!std::filesystem::exists(work.path / "frames/frames.csv"));
+        CHECK(folder.exposures().empty());
+    }
+}
+
 TEST_CASE("frames of something else, and a list that is none, are told and left alone") {
     const test::TemporaryFolder work;
     Result<FrameFolder> folder = FrameFolder::open(work.path, "a scene");

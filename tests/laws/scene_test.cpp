@@ -68,7 +68,8 @@ TEST_CASE("a wrong scene is one message with file, line, key, value, the rule an
     says(error_of(std::string(camera) + "[moon]\nphase = \"3 deg\"\n"), "moon.phase is no key");
     says(error_of(std::string(camera) + "[ground]\nsea = \"yes\"\n"), "it must be true or false");
     says(error_of(std::string(camera) + "[ground]\nseed = 1.5\n"), "a whole number");
-    says(error_of(std::string(camera) + "[air]\nmethod = \"exakt\"\n"), "air.method = \"exakt\": it must be one of: airlight hillaire2020 bruneton2008 exact");
+    says(error_of(std::string(camera) + "[air]\nmethod = \"exakt\"\n"),
+         "air.method = \"exakt\": it must be one of: airlight hillaire2020 bruneton2008 exact");
     says(error_of(std::string(camera) + "[air]\nshafts = \"planets\"\n"), "air.shafts = \"planets\": it must be one of: epipolar");
     says(error_of(std::string(camera) + "[planet]\n"), "planet is no key");
     says(error_of(""), "camera is missing");

@@ -86,7 +86,7 @@ void draw_places(Session& session, const HeightField& ground) {
     moved |= slide_angle("longitude", eye.longitude, -180.0, 180.0);
     double height = viewer::height_m(eye, ground);
     if (slide("height, m", height, viewer::lowest_eye_m, 1e8, "%.1f", ImGuiSliderFlags_Logarithmic))
-        eye.altitude_m = viewer::surface_m(eye, ground) + height, moved = true;
+        eye.altitude_m = surface_m(eye, ground) + height, moved = true;
     if (moved) session.eye = viewer::above_ground(eye, ground);
     slide_angle("field of view", session.field_of_view, 5.0, 120.0);
 }
@@ -186,6 +186,7 @@ void draw_path(PanelState& state, const PanelFacts& facts, Input& input) {
     text(fmt::format("{} keys, {:.1f} s", facts.path_keys, facts.path_s));
     if (facts.played_s) text(faint, fmt::format("at {:.1f} s", *facts.played_s));
     slide("to the next, s", state.seconds_to_key, 0.5, 60.0, "%.1f", ImGuiSliderFlags_Logarithmic);
+    if (facts.path_keys == 0) ImGui::Checkbox("keys have the sun's time", &state.keys_have_time);
     input.add_key |= ImGui::Button("add key");
     ImGui::SameLine();
     input.undo |= ImGui::Button("undo");

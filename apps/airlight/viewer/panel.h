@@ -44,6 +44,7 @@ struct PanelState {
     bool asks_to_leave = false;   // whether keys may be lost
     bool leaves = false;          // they may
     double seconds_to_key = 4.0;  // from the path's last key to the next one
+    bool keys_have_time = false;  // those of a path that has none yet: that of sun, moon and stars
     std::deque<float> frames_ms;
     TypedLine air, weather;
 };

@@ -152,22 +152,31 @@ private:
     // The path has the camera until its end, or until the user stops it.
     void play(const Input& input) {
         *played_s_ += std::min(input.seconds, longest_frame_s);
-        const CameraPath path{path_.keys()};
+        const CameraPath path = over(stage_.ground(), {path_.keys()});
         const CameraKey now = camera_at(path, *played_s_);
         session_.eye = viewer::above_ground(now.eye, stage_.ground());
         session_.field_of_view = now.vertical_field_of_view;
+        if (now.sky_time) viewer::set_time(session_, *now.sky_time);
         if (*played_s_ >= path.end_s()) played_s_.reset();
     }
 
     void edit_path(const Input& input) {
         if (input.play) played_s_ = played_s_ || path_.keys().empty() ? std::nullopt : std::optional(path_.keys().front().time_s);
-        if (input.add_key) tell_of_path(path_.add({0.0, session_.eye, session_.field_of_view}, panel_.seconds_to_key));
+        if (input.add_key) tell_of_path(path_.add(key_here(), panel_.seconds_to_key));
         if (input.undo) tell_of_path(path_.undo());
         if (input.redo) tell_of_path(path_.redo());
         facts_.path_file = path_.file().string();
         facts_.path_keys = path_.keys().size();
         facts_.path_s = path_.keys().empty() ? 0.0 : path_.keys().back().time_s;
         facts_.played_s = played_s_;
+    }
+
+    // With the sky's time if the keys before have one, or if the user wishes it for the first.
+    CameraKey key_here() const {
+        const bool timed = path_.keys().empty() ? panel_.keys_have_time : path_.keys().front().sky_time.has_value();
+        return {.eye = session_.eye,
+                .vertical_field_of_view = session_.field_of_view,
+                .sky_time = timed ? session_.time : std::optional<Utc>()};
     }
 
     void tell_of_path(const Result<Done>& edited) {
