@@ -51,10 +51,12 @@ unsigned TomlInput::line(std::string_view key) const {
     return node ? line_of(*node) : line_of(*table_);
 }
 
-void TomlInput::keep(unsigned line, std::string what, std::string_view remedy) {
-    if (failure_->first) return;
+// Whether it is the first failure.
+bool TomlInput::keep(unsigned line, std::string what, std::string_view remedy) {
+    if (failure_->first) return false;
     const std::string where = line > 0 ? fmt::format("{}:{}", failure_->file, line) : failure_->file;
     failure_->first = Error{where, std::move(what), std::string(remedy)};
+    return true;
 }
 
 void TomlInput::refuse(std::string_view key, std::string_view rule, std::string_view remedy) {
@@ -63,7 +65,7 @@ void TomlInput::refuse(std::string_view key, std::string_view rule, std::string_
 }
 
 void TomlInput::refuse_missing(std::string_view key, std::string_view remedy) {
-    keep(line_of(*table_), fmt::format("{} is missing", full(key)), remedy);
+    if (keep(line_of(*table_), fmt::format("{} is missing", full(key)), remedy)) missed_ = key;
 }
 
 void TomlInput::refuse_word(std::string_view key, std::string_view words) {
@@ -80,6 +82,7 @@ void TomlInput::refuse_unknown_keys() {
         std::string words;
         for (const std::string& known : known_) words += known + ' ';
         const std::string near = nearest_word(name, words);
+        if (!near.empty() && near == missed_) failure_->first.reset();  // what is missing is there, misspelt
         const std::string remedy = near.empty() ? fmt::format("Keys here: {}.", words.substr(0, words.empty() ? 0 : words.size() - 1))
                                                 : fmt::format("Did you mean \"{}\"?", near);
         keep(static_cast<unsigned>(key.source().begin.line), fmt::format("{} is no key that this table has", full(name)), remedy);

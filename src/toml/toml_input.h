@@ -69,7 +69,7 @@ public:
 private:
     const toml::node* find(std::string_view key);
     std::string full(std::string_view key) const { return path_.empty() ? std::string(key) : path_ + '.' + std::string(key); }
-    void keep(unsigned line, std::string what, std::string_view remedy);
+    bool keep(unsigned line, std::string what, std::string_view remedy);
     template <class T>
     std::optional<T> quantity(std::string_view key, Result<T> (*parse)(std::string_view));
     bool element_number(std::string_view key, const toml::node& node, double& number);
@@ -78,6 +78,7 @@ private:
     std::string path_;
     TomlFailure* failure_;
     std::vector<std::string> known_;
+    std::string missed_;  // the key whose absence is the failure
 };
 
 // A curve from two arrays of one table: x in the unit of `x_key`, y in that of `y_key`.

@@ -136,7 +136,7 @@ TEST_CASE("what is wrong in a file is said with its line, its key, its value and
         {"[[constituent]]\nname = \"haze\"\nkind = \"generic\"\nprofile = { kind = \"exponential\", scale_height = \"-1200 m\" }\n",
          "earth.toml:7: haze.profile.scale_height = \"-1200 m\": it must be above 0 m\n  Earth's air is near \"8 km\""},
         {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"exponential\", scale_heigth = \"1200 m\" }\n",
-         "generic.profile.scale_height is missing"},
+         "generic.profile.scale_heigth is no key that this table has\n  Did you mean \"scale_height\"?"},
         {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"layer\", low = \"1 km\", high = \"1 km\" }\n",
          "earth.toml:6: generic.profile.high = \"1 km\": it must be above low, 1 km"},
         {"[[constituent]]\nkind = \"generic\"\nprofile = { kind = \"layr\" }\n",

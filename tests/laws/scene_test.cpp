@@ -55,6 +55,12 @@ TEST_CASE("a wrong scene is one message with file, line, key, value, the rule an
     says(misspelt, "folder/scene.toml:5");
     says(misspelt, "camera.headng");
     says(misspelt, "Did you mean \"heading\"?");
+    // One that must be there is not only missing.
+    const std::string needed = error_of("[camera]\nlattitude = \"46 deg\"\nlongitude = \"8 deg\"\naltitude = \"20 km\"\n");
+    says(needed, "folder/scene.toml:2: camera.lattitude is no key");
+    says(needed, "Did you mean \"latitude\"?");
+    says(error_of("[camra]\nlatitude = \"46 deg\"\n"), "scene.toml:1: camra is no key");
+    says(error_of("[camera]\nlongitude = \"8 deg\"\naltitude = \"20 km\"\nroll = \"2 deg\"\n"), "camera.latitude is missing");
     says(error_of("[camera]\nlatitude = \"96 deg\"\nlongitude = \"8 deg\"\naltitude = \"1 km\"\n"),
          "scene.toml:2: camera.latitude = \"96 deg\": it must be from -90 deg to 90 deg");
     says(error_of("[camera]\nlatitude = \"6 deg\"\naltitude = \"1 km\"\n"), "camera.longitude is missing");
