@@ -9,10 +9,17 @@ else()
   airlight_cli_test("render: a build without OpenGL says so" EXIT 1 ERR "built without OpenGL" COMMAND render ${mountains} -o m.png)
 endif()
 airlight_cli_test("render: a scene that is not there is told" EXIT 1 ERR "^absent.toml: " COMMAND render absent.toml -o m.png)
-airlight_cli_test("render: a misspelt key of a scene is told with its line" EXIT 1 ERR "misspelt.toml:2: camera.lattitude is no key"
+airlight_cli_test("render: a misspelt key of a scene is told with its line and the nearest" EXIT 1
+  ERR "misspelt.toml:2: camera.lattitude is no key" "Did you mean .latitude.[?]"
   COMMAND render ${CMAKE_CURRENT_SOURCE_DIR}/../corpus/scene/misspelt.toml -o m.png)
 airlight_cli_test("render: a missing elevation file is told" EXIT 1 ERR "corpus/scene/none.tif: there is no such file"
   COMMAND render ${CMAKE_CURRENT_SOURCE_DIR}/../corpus/scene/no-elevation.toml -o m.png)
+set(grounds ${CMAKE_CURRENT_SOURCE_DIR}/ground)
+airlight_cli_test("render: an elevation file that is no raster is told" EXIT 1 ERR "ground/words.tif: it is no raster that GDAL can read"
+  COMMAND render ${grounds}/words.toml -o m.png)
+airlight_cli_test("render: an elevation file that ends too early is told" EXIT 1 ERR "ground/cut.asc: it is damaged: " COMMAND render ${grounds}/cut.toml -o m.png)
+airlight_cli_test("render: a raster without georeference is told, and how to give it one" EXIT 1
+  ERR "ground/no-place.pgm: it does not say where on the planet it lies" "gdal_translate -a_srs EPSG:4326" COMMAND render ${grounds}/no-place.toml -o m.png)
 airlight_cli_test("render: a file that is neither EXR nor PNG is refused" EXIT 1 ERR "^m.jpg: is neither" COMMAND render ${mountains} -o m.jpg)
 airlight_cli_test("render: a picture of no size is refused" EXIT 1 ERR "0 x 720 is out of range" COMMAND render ${mountains} --width 0 -o m.png)
 airlight_cli_test("render: an exposure that is none is refused" EXIT 1 ERR "^--exposure: \"bright\"" COMMAND render ${mountains} --exposure bright -o m.png)
@@ -23,6 +30,11 @@ if(AIRLIGHT_GPU)
     COMMAND render ${CMAKE_CURRENT_SOURCE_DIR}/../corpus/scene/no-such-air.toml --width 64 --height 36 -o m.png)
   airlight_cli_test("render: a weather report that is none is told" EXIT 1 ERR "wrong-weather.toml: weather: .*99999"
     COMMAND render ${CMAKE_CURRENT_SOURCE_DIR}/../corpus/scene/wrong-weather.toml --width 64 --height 36 -o m.png)
+endif()
+if(AIRLIGHT_GPU)
+  airlight_cli_test("render: no GPU, and no driver that draws without one, is one clear message" EXIT 1
+    ERR "^OpenGL: there is no EGL display without a window" "Debian: libgl1-mesa-dri renders in software"
+    UNDER env __EGL_VENDOR_LIBRARY_FILENAMES=/none COMMAND render ${mountains} --width 64 --height 36 -o m.png)
 endif()
 set(paths ${CMAKE_CURRENT_SOURCE_DIR}/../corpus/path)
 airlight_cli_test("render: a misspelt key of a path is told with its line" EXIT 1 ERR "misspelt.toml:6: key.headng is no key"

@@ -1,7 +1,8 @@
 set(view_small ${small_air} --width 160 --height 90)
 airlight_cli_test("view: --help is the committed text" OUT_IS help/view.txt COMMAND view --help)
 airlight_cli_test("view: a scene that is not there is told" EXIT 1 ERR "^absent.toml: " COMMAND view absent.toml)
-airlight_cli_test("view: a misspelt key of a scene is told with its line" EXIT 1 ERR "misspelt.toml:2: camera.lattitude is no key"
+airlight_cli_test("view: a misspelt key of a scene is told with its line and the nearest" EXIT 1
+  ERR "misspelt.toml:2: camera.lattitude is no key" "Did you mean .latitude.[?]"
   COMMAND view ${CMAKE_CURRENT_SOURCE_DIR}/../corpus/scene/misspelt.toml)
 airlight_cli_test("view: a picture of no size is refused" EXIT 1 ERR "0 x 720 is out of range" COMMAND view --width 0)
 if(NOT AIRLIGHT_VIEWER)
@@ -25,3 +26,9 @@ airlight_cli_test("view: the example of its help runs" UNDER ${screen}
   COMMAND view --frames 2 --width 160 --height 90 --sizes 16x4x8x12,32x16 --orders 2 --cache tables)
 airlight_cli_test("view: a display without OpenGL 4.5 is one clear message" EXIT 1 ERR "^airlight view: the display offers no window with OpenGL 4.5: "
   UNDER env MESA_GL_VERSION_OVERRIDE=4.3 ${screen} COMMAND view ${mountains})
+airlight_cli_test("view: a raster without georeference is told" EXIT 1 ERR "ground/no-place.pgm: it does not say where on the planet it lies"
+  UNDER ${screen} COMMAND view ${CMAKE_CURRENT_SOURCE_DIR}/ground/no-place.toml)
+add_test(NAME "cli: view: what is broken while it is shown is told, and the viewer goes on"
+         COMMAND ${screen} ${CMAKE_CURRENT_SOURCE_DIR}/broken_while_shown $<TARGET_FILE:airlight> ${PROJECT_SOURCE_DIR}/data/demo/mountains.toml
+                 ${PROJECT_SOURCE_DIR})
+set_tests_properties("cli: view: what is broken while it is shown is told, and the viewer goes on" PROPERTIES TIMEOUT 300)
