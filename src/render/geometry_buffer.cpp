@@ -9,7 +9,7 @@ namespace airlight::render {
 Result<GeometryBuffer> GeometryBuffer::create(int width, int height) {
     using F = gpu::TextureFormat;
     const gpu::TextureSize size{width, height};
-    gpu::Texture depth(size, {}, F::depth32f), colour(size, {}, F::srgb8), normal(size, {}, F::rg16), material(size, {}, F::rg8);
+    gpu::Texture depth(size, {}, F::depth32f), colour(size, {}, F::srgb8), normal(size, {}, F::rg16), material(size, {}, F::rg16);
     Result<gpu::Framebuffer> target = gpu::Framebuffer::create({&colour, &normal, &material}, &depth);
     if (!target) return target.error();
     return GeometryBuffer(std::move(depth), std::move(colour), std::move(normal), std::move(material), std::move(*target));

@@ -9,8 +9,8 @@ namespace airlight::render {
 // depth     float, near_m / distance along the camera's axis; 0 where there is nothing
 // colour    reflectance of red, green and blue light, 8 bits with sRGB's curve; alpha 1 on a surface, 0 where there is nothing
 // normal    octahedral, 2 x 16 bits
-// material  roughness and water, 8 bits each
-// 14 bytes a pixel. The first row is the lowest.
+// material  roughness and water, 2 x 16 bits: fewer show as rings in the sun's glint
+// 16 bytes a pixel. The first row is the lowest.
 class GeometryBuffer {
 public:
     static Result<GeometryBuffer> create(int width, int height);

@@ -9,7 +9,8 @@ layout(binding = 2) uniform sampler2D normal_buffer;
 layout(binding = 3) uniform sampler2D material_buffer;
 layout(location = 0) in vec2 place;
 
-const float rough_sea = 0.2, rough_land = 1.0;
+const float rough_land = 1.0;
+const float slopes_of_sea = 0.04;  // their mean square, in a wind of 7 m/s [CoxMunk1954]
 
 // How wide a pixel is on the ground: between its width and its length, which on ground that is seen at a low angle are far apart.
 float footprint_m(vec3 position, vec3 normal) {
@@ -31,5 +32,13 @@ void main() {
     if (water < 1.0) detail = detail_at(position, footprint, int(ground_wishes.z));
     vec4 cover = vec4(colour.r, material.r, colour.gb), there = cover_in_patches(cover, detail);
     vec3 reflectance = reflectance_of(there, detail, water, position, footprint);
-    write_surface(reflectance, normal_of(normal, cover, detail), mix(rough_land, rough_sea, water), water);
+    normal = normal_of(normal, cover, detail);
+    float roughness = rough_land;
+    if (water > 0.0) {
+        vec3 up = normalize(vec3(camera_eye_m.xyz) + position);
+        Waves waves = waves_at(position, footprint, slopes_of_sea);
+        normal = normalize(mix(normal, sloped(up, waves.slope), water));
+        roughness = mix(rough_land, sqrt(slopes_of_sea * (1.0 - waves.share)), water);
+    }
+    write_surface(reflectance, normal, roughness, water);
 }

@@ -66,3 +66,27 @@ Detail detail_at(vec3 place, float footprint_m, int widest) {
     }
     return sum;
 }
+
+// Waves of the sea that a pixel shows: their slopes, along the axes of the world, and the share of all waves' mean square that is theirs.
+// Octaves up to `widest_wave` hold an eighth of it each, narrower ones than any octave the rest.
+struct Waves {
+    vec3 slope;
+    float share;
+};
+const int widest_wave = 5;  // 16 m wide: a fresh breeze
+const float share_of_octave = 0.125;
+
+// `mean_square`: of the slope of all waves.
+Waves waves_at(vec3 place, float footprint_m, float mean_square) {
+    float x = max(0.5 * log2(footprint_m * least_pixels / narrowest_m), 0.0), share = fract(x);
+    int first = int(x);
+    Waves sum = Waves(vec3(0.0), 0.0);
+    for (int i = 0; i < 3; ++i) {
+        int octave = first + i;
+        float weight = i == 0 ? 1.0 - share : i == 1 ? 1.0 : share;
+        if (octave > widest_wave || weight == 0.0) continue;
+        sum.slope += weight * sqrt(0.5 * share_of_octave * mean_square) * octave_noise(octave, place).xyz;
+        sum.share += weight * weight * share_of_octave;
+    }
+    return sum;
+}

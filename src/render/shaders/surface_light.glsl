@@ -8,13 +8,18 @@ struct SurfaceLight {
 
 const float mirror_of_water = 0.02;  // reflectance of still water at right angles
 
-// The sun in water whose waves tilt as a Gaussian of their slope does, with a mean square of roughness^2 / 2 [CoxMunk1954].
-float glint(vec3 n, vec3 view, vec3 to_sun, float roughness) {
+// Reflectance of still water for light that meets it at an angle of this cosine [Schlick1994].
+float fresnel(float c) { return mirror_of_water + (1.0 - mirror_of_water) * pow(1.0 - clamp(c, 0.0, 1.0), 5.0); }
+
+// The sun in water. Waves that the normal shows tilt it; those that are too small tilt it further, as a Gaussian of their slope with a mean
+// square of roughness^2 [CoxMunk1954]. Slopes are those of level water, and so they add: seen together, pixels that show waves shine as
+// those that do not.
+float glint(vec3 n, vec3 up, vec3 view, vec3 to_sun, float roughness) {
     vec3 between = normalize(to_sun + view);
-    float c = clamp(dot(n, between), 1e-2, 1.0), m = roughness * roughness;
-    float slopes = exp((1.0 - 1.0 / (c * c)) / m) / (pi * m * c * c * c * c);
-    float fresnel = mirror_of_water + (1.0 - mirror_of_water) * pow(1.0 - clamp(dot(view, between), 0.0, 1.0), 5.0);
-    return fresnel * slopes / (4.0 * max(dot(n, view), 0.05));
+    float c = clamp(dot(up, between), 1e-2, 1.0), m = roughness * roughness;
+    vec3 missing = between / c - n / max(dot(n, up), 1e-2);
+    float slopes = exp(-dot(missing, missing) / m) / (pi * m * c * c * c * c);
+    return fresnel(dot(view, between)) * slopes / (4.0 * max(dot(up, view), 0.05));
 }
 
 // material  roughness and water
@@ -24,7 +29,7 @@ SurfaceLight surface_light(vec3 reflectance, vec2 material, vec3 n, vec3 up, vec
     SurfaceLight light;
     float facing = max(dot(n, to_sun), 0.0);
     light.of_sun = reflectance / pi * facing;
-    if (facing > 0.0 && material.g > 0.0) light.of_sun += vec3(material.g * glint(n, view, to_sun, material.r));
+    if (material.g > 0.0 && dot(up, to_sun) > 0.0) light.of_sun += vec3(material.g * glint(n, up, view, to_sun, material.r));
     light.of_sky = reflectance / pi * (0.5 + 0.5 * dot(n, up));
     return light;
 }
