@@ -69,6 +69,13 @@ std::vector<std::byte> airlight_block(const f32::AirlightAir& air, int first) {
     return block.take();
 }
 
+std::vector<std::byte> airlight_axis_block(const f32::AirlightAxis& axis) {
+    Std140 block(0);
+    block.put(axis);
+    block.align();
+    return block.take();
+}
+
 std::vector<float> gpu_texels(const PackedTexels& table, int first) {
     std::vector<float> texels;
     for (std::size_t i = 0; i < table.values.size(); i += static_cast<std::size_t>(pack_size))

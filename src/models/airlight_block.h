@@ -16,6 +16,9 @@ inline constexpr int gpu_wavelengths = 4;
 // The bytes of the block, by the rules of std140. `first`: of the four wavelengths of the pack, 0 to pack_size - 4.
 std::vector<std::byte> airlight_block(const f32::AirlightAir& air, int first);
 
+// Those of `AirlightAxis`, in a block of its own or at the beginning of another.
+std::vector<std::byte> airlight_axis_block(const f32::AirlightAxis& axis);
+
 // A table's texels, four numbers each, 0 to 1: [depth][height][width][4].
 std::vector<float> gpu_texels(const PackedTexels& table, int first);
 // The densities, four constituents a texel: [2][density_axis.texels][4].

@@ -96,7 +96,9 @@ PackedTexels packed_transmittance(const PackAir& air) {
     return table;
 }
 
-f32::AirlightAxis axis_of(const AltitudeAxis& axis) {
+}  // namespace
+
+f32::AirlightAxis airlight_axis(const AltitudeAxis& axis) {
     f32::AirlightAxis a{};
     a.segments = static_cast<int>(axis.segments().size());
     a.texels = axis.size();
@@ -110,6 +112,8 @@ f32::AirlightAxis axis_of(const AltitudeAxis& axis) {
     }
     return a;
 }
+
+namespace {
 
 // Altitudes of jumps, as many as the text has room for.
 std::span<const double> jumps_of(const PackAir& air) {
@@ -168,9 +172,9 @@ AirlightTables airlight_medium(const PackAir& air, const TableSizes& sizes, int 
     t.air.ground_albedo = air.ground_albedo;
     t.air.solar_irradiance = air.solar_irradiance;
     t.air.sun_radius = f32::Number::of(air.sun_angular_radius);
-    t.air.density_axis = axis_of(density_axis);
-    t.air.transmittance_axis = axis_of(air.transmittance_axis);
-    t.air.source_axis = axis_of(air.source_axis);
+    t.air.density_axis = airlight_axis(density_axis);
+    t.air.transmittance_axis = airlight_axis(air.transmittance_axis);
+    t.air.source_axis = airlight_axis(air.source_axis);
     t.air.least_depth = f32::Number::of(least_depth);
     t.air.depth_range = f32::Number::of(std::log(deepest_depth / least_depth));
     t.air.log_low = f32::Number::of(log_low);

@@ -45,6 +45,9 @@ struct AirlightTables {
 // airlight_nodes. `air`: made for the same sizes.
 AirlightTables airlight_medium(const PackAir& air, const TableSizes& sizes, int nodes);
 
+// The same axis as the shared text reads it: of at most airlight_segments segments.
+f32::AirlightAxis airlight_axis(const AltitudeAxis& axis);
+
 // Samples the tables of a pack anew, geometrically between their texels.
 AirlightTables airlight_tables(const Tables::Pack& pack, int nodes);
 

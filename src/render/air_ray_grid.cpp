@@ -17,9 +17,9 @@ struct AirRayGrid::Grid {
     int sky_rows, ground_rows, azimuths, layers;
 };
 // By day; where the edge of the planet's shadow may be seen, which is sharp; and above the air, where it crosses what is seen of the planet.
-constexpr AirRayGrid::Grid AirRayGrid::day_grid{.sky_rows = 32, .ground_rows = 12, .azimuths = 13, .layers = 10};
+constexpr AirRayGrid::Grid AirRayGrid::day_grid{.sky_rows = 32, .ground_rows = 20, .azimuths = 13, .layers = 14};
 constexpr AirRayGrid::Grid AirRayGrid::shadow_grid{.sky_rows = 32, .ground_rows = 18, .azimuths = 15, .layers = 18};
-constexpr AirRayGrid::Grid AirRayGrid::space_grid{.sky_rows = 28, .ground_rows = 32, .azimuths = 33, .layers = 8};
+constexpr AirRayGrid::Grid AirRayGrid::space_grid{.sky_rows = 48, .ground_rows = 32, .azimuths = 33, .layers = 8};
 
 namespace {
 

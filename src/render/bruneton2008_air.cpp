@@ -17,16 +17,15 @@ constexpr unsigned densities_at = first_method_texture, transmittance_at = densi
 // Before a picture: a second at 60 pictures a second fills the tables of sixteen wavelengths.
 constexpr int slices_per_picture = 16;
 
-// `uniform Bruneton2008Block`.
+// `uniform Bruneton2008Block`, after its axis of altitudes.
 struct Block {
-    int altitude, view, sun, nu;
-    int scatterers, twilight, padding[2];
+    int view, sun, nu;
+    int scatterers, twilight, padding[3];
     int part_of[8];
 };
 
 gpu::Buffer block_of(const Bruneton2008Textures& textures) {
-    Block block{.altitude = textures.texels.altitude,
-                .view = textures.texels.view,
+    Block block{.view = textures.texels.view,
                 .sun = textures.texels.sun,
                 .nu = textures.texels.nu,
                 .scatterers = static_cast<int>(textures.parts.size()),
@@ -34,7 +33,10 @@ gpu::Buffer block_of(const Bruneton2008Textures& textures) {
                 .padding = {},
                 .part_of = {}};
     for (std::size_t i = 0; i < textures.parts.size(); ++i) block.part_of[i] = static_cast<int>(textures.parts[i]);
-    return gpu::Buffer(std::as_bytes(std::span(&block, 1)));
+    std::vector<std::byte> bytes = airlight_axis_block(airlight_axis(textures.altitudes));
+    const auto rest = std::as_bytes(std::span(&block, 1));
+    bytes.insert(bytes.end(), rest.begin(), rest.end());
+    return gpu::Buffer(bytes);
 }
 
 // `uniform AirColours`: of the four wavelengths from `first` on, black beyond the last.

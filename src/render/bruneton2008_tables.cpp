@@ -65,12 +65,16 @@ double fraction(int i, int size) { return static_cast<double>(i) / (size - 1); }
 // At the ground, the way to the ground is taken from here, in metres: the light on it, over its gain, has a limit there.
 constexpr double lowest_m = 1.0;
 
+AltitudeAxis table_altitudes(const PackAir& air, const Bruneton2008Settings& texels) {
+    return {air.shell.top_m, air.densities.jumps_m(), texels.altitude};
+}
+
 // The directions of the scattering tables, by altitude.
-std::vector<Way> ways_of_tables(const Shell& shell, const Bruneton2008Settings& texels) {
+std::vector<Way> ways_of_tables(const Shell& shell, const Bruneton2008Settings& texels, const AltitudeAxis& altitudes) {
     const f64::Length bottom = f64::Length::of(shell.bottom_m), top = f64::Length::of(shell.top_m);
     std::vector<Way> ways;
     for (int k = 0; k < texels.altitude; ++k) {
-        const f64::Length h = f64::bruneton2008_altitude_of_coordinate(fraction(k, texels.altitude), bottom, top);
+        const f64::Length h = f64::Length::of(altitudes.altitude_m(k));
         for (int v = 0; v < texels.view; ++v) {
             const int half = texels.view / 2;
             const bool ground = v < half;
@@ -263,7 +267,7 @@ Bruneton2008Bake::State::State(std::shared_ptr<const Bruneton2008Programs> compi
             .padding = {},
             .part_of = {}},
       points(buffer_of(around.ways)),
-      tables(buffer_of(ways_of_tables(air.shell, texels))),
+      tables(buffer_of(ways_of_tables(air.shell, texels, table_altitudes(air, texels)))),
       altitudes(buffer_of(altitudes_of(air.transmittance_axis))),
       angles(buffer_of(around.cosines)),
       weighted_legendres(buffer_of(around.legendre)),
@@ -283,7 +287,11 @@ Bruneton2008Bake::State::State(std::shared_ptr<const Bruneton2008Programs> compi
       density({sizes.sun, sizes.view, sizes.altitude * sizes.azimuth},
               std::vector<float>(static_cast<std::size_t>(4 * sizes.sun * sizes.view * sizes.altitude * sizes.azimuth), 0.0f)),
       delta_irradiance({sizes.sun, 1}),
-      made{texels, std::move(parts), gpu::Texture({medium.air.density_axis.texels, 2}, gpu_densities(medium)), {}} {
+      made{texels,
+           table_altitudes(air, texels),
+           std::move(parts),
+           gpu::Texture({medium.air.density_axis.texels, 2}, gpu_densities(medium)),
+           {}} {
     for (std::size_t i = 0; i < made.parts.size(); ++i) block.part_of[i] = static_cast<int>(made.parts[i]);
 }
 

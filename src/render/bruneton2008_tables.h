@@ -26,6 +26,7 @@
 #include "gpu/program.h"
 #include "gpu/texture.h"
 #include "models/bruneton2008.h"
+#include "transport/altitude_axis.h"
 #include "transport/bake_settings.h"
 
 namespace airlight::render {
@@ -42,6 +43,7 @@ struct Bruneton2008Group {
 
 struct Bruneton2008Textures {
     Bruneton2008Settings texels;
+    AltitudeAxis altitudes;          // of the scattering tables: not the paper's, but with texels on both sides of jumps of density
     std::vector<std::size_t> parts;  // the constituents that scatter, in the order of the tables
     gpu::Texture densities;          // as airlight_densities() reads them
     std::vector<Bruneton2008Group> groups;
@@ -51,8 +53,8 @@ struct Bruneton2008Textures {
 inline constexpr TableSizes sizes_around_points = {
     .transmittance_mu = 256, .transmittance_altitude = 64, .sun = 40, .azimuth = 8, .view = 16, .altitude = 20};
 
-// Of the scattering tables: 32 MiB for each constituent that scatters, and for the higher orders, of four wavelengths.
-inline constexpr Bruneton2008Settings fine_texels = {.sun = 64, .twilight = true};
+// Of the scattering tables: 48 MiB for each constituent that scatters, and for the higher orders, of four wavelengths.
+inline constexpr Bruneton2008Settings fine_texels = {.altitude = 48, .sun = 64, .twilight = true};
 
 // The programs of the passes, compiled once for any number of bakes.
 using Bruneton2008Programs = std::map<std::string, gpu::Program>;

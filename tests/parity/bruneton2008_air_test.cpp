@@ -142,7 +142,7 @@ double dip(const Atmosphere& air, double altitude_m) { return std::acos(air.bott
 }  // namespace
 
 TEST_CASE(
-    "the air by tables is within 5 % of airlight from 0 m to 20 000 km, the sun at 0 to 96 degrees; before surfaces 6 %, in dusk 10 %") {
+    "the air by tables is within 5 % of airlight from 0 m to 20 000 km, the sun at 0 to 96 degrees; before surfaces 5 %, in dusk 8 %") {
     const GpuCase gpu_case;
     if (!gpu_case) return;
     const Atmosphere atmosphere = *preset("earth-clear");
@@ -175,11 +175,11 @@ TEST_CASE(
             const double surfaces = mean_error(gpu, truth, altitude_m, sun_deg * deg, before);
             fmt::print("  {:>8.0f} m, sun {:>2.0f} {:>10.3f} {:>9.3f}\n", altitude_m, sun_deg, 100.0 * sky, 100.0 * surfaces);
             CHECK(sky <= 0.05);
-            CHECK(surfaces <= (sun_deg > 90.0 ? 0.10 : 0.06));
+            CHECK(surfaces <= (sun_deg > 90.0 ? 0.08 : 0.05));
             all += sky + surfaces, count += 2;
         }
     fmt::print("  in the mean {:.3f}\n", 100.0 * all / count);
-    CHECK(all / count <= 0.025);
+    CHECK(all / count <= 0.015);
 }
 
 TEST_CASE("what older programs of these tables got wrong is right: no noise and no seam beside the horizon, no peak below it, no bands") {

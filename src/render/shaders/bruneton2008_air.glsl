@@ -4,7 +4,8 @@
 #include "physics/models/bruneton2008.glsl"
 layout(binding = 13) uniform sampler3D scattering;  // [table and altitude][view][nu and sun]
 layout(std140, binding = 4) uniform Bruneton2008Block {
-    int altitude_texels, view_texels, sun_texels, nu_texels;
+    AirlightAxis altitudes;
+    int view_texels, sun_texels, nu_texels;
     int scatterers;  // constituents that scatter
     int twilight;
     ivec4 part_of[2];
@@ -42,10 +43,10 @@ struct TableLight {
 };
 
 TableLight light_from(AirRay ray, bool grounded, float angle) {
-    Bruneton2008 shape = bruneton2008(air.bottom, air.top, altitude_texels, view_texels, sun_texels, nu_texels);
+    Bruneton2008 shape = bruneton2008(air.bottom, air.top, altitudes.texels, view_texels, sun_texels, nu_texels);
     shape.twilight = twilight != 0;
     Bruneton2008Place place = bruneton2008_place(shape, ray.h, ray.mu, ray.mu_s, ray.nu, grounded);
-    float tables = float(1 + scatterers), altitude = place.altitude;
+    float tables = float(1 + scatterers), altitude = (airlight_texel(altitudes, ray.h, air.top) + 0.5) / float(altitudes.texels);
     place.altitude = altitude / tables;
     vec4 root = bruneton2008_multiple(scattering, place);
     TableLight light = TableLight(root * root, vec4(0.0));
