@@ -149,8 +149,8 @@ void draw_methods(Session& session) {
 // While no one types, it shows what there is.
 void type(TypedLine& line, const char* label, const char* hint, std::string& value) {
     if (!line.active) line.text[value.copy(line.text.data(), line.text.size() - 1)] = '\0';
-    if (ImGui::InputTextWithHint(label, hint, line.text.data(), line.text.size(), ImGuiInputTextFlags_EnterReturnsTrue))
-        value = line.text.data();
+    ImGui::InputTextWithHint(label, hint, line.text.data(), line.text.size());
+    if (ImGui::IsItemDeactivatedAfterEdit()) value = line.text.data();
     line.active = ImGui::IsItemActive();
 }
 

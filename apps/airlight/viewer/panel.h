@@ -32,7 +32,7 @@ struct PanelFacts {
     std::optional<Result<viewer::Probe>> probe;  // the sky there; none: not yet
 };
 
-// A line of text, which counts once Enter is pressed.
+// A line of text, which counts once it is left: by Enter, Tab or a click elsewhere.
 struct TypedLine {
     std::array<char, 1024> text{};  // ends with a 0
     bool active = false;
