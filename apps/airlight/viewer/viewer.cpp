@@ -93,9 +93,11 @@ public:
           session_(std::move(session)),
           path_(std::move(path)),
           prober_(wishes.tables),
+          air_files_(air_files(session_)),
           scene_watch_({wishes.scene.file}),
           shader_watch_(render::shader_folders()),
-          path_watch_({path_.file()}) {}
+          path_watch_({path_.file()}),
+          air_watch_(air_files_) {}
 
     // A frame; false: the user leaves.
     Result<bool> frame() {
@@ -271,8 +273,8 @@ private:
     viewer::PathEdit path_;
     std::optional<double> played_s_;
     Prober prober_;
-    viewer::FileWatch scene_watch_, shader_watch_, path_watch_, air_watch_{{}};
     std::vector<std::filesystem::path> air_files_;
+    viewer::FileWatch scene_watch_, shader_watch_, path_watch_, air_watch_;
     double watched_s_ = 0.0, rested_s_ = 0.0;
     std::array<int, 2> window_size_ = {0, 0};
     bool drawn_once_ = false;
