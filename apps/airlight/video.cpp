@@ -63,6 +63,7 @@ std::vector<std::string> words_of(const std::filesystem::path& file, int width, 
 // Starts a program of PATH whose standard input is `input`, with no signal blocked; 0 where it cannot be started.
 ::pid_t spawn(std::vector<std::string> words, int input) {
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t actions;
