@@ -123,7 +123,7 @@ Stage::Stage(const gpu::Context& context, const Scene& scene, TableWishes wishes
       job_(std::move(job)),
       passes_(std::move(passes)),
       exposure_of_one_(std::as_bytes(std::span(ones))) {
-    if (job_) scene_.atmosphere.clear();
+    if (job_) scene_.atmosphere.clear();  // it has no air yet
 }
 
 void Stage::forget_air() {
@@ -146,7 +146,8 @@ Result<Done> Stage::remake(const Scene& scene) {
         if (!other_colour) return other_colour.error();
         ground = *std::move(other), colour = *std::move(other_colour);
         tiles.reset();
-        if (tables_ && scene.ground.radius_m != scene_.ground.radius_m) wished_air_ = {}, next.atmosphere.clear();
+        // The air lies on another sphere: that of before is drawn until follow_air() has it.
+        if (tables_ && scene.ground.radius_m != scene_.ground.radius_m) next.atmosphere.clear();
     }
     Result<std::optional<render::AirPass>> air = air_pass_of(tables_, next);
     if (!air) return air.error();
@@ -155,6 +156,7 @@ Result<Done> Stage::remake(const Scene& scene) {
     passes->frame.exchange_air(*std::move(air));
     passes_ = std::move(*passes);
     other_air_.reset();
+    if (next.atmosphere != scene_.atmosphere) wished_air_ = {};
     ground_ = std::move(ground), colour_ = std::move(colour), scene_ = std::move(next);
     return Done{};
 }
