@@ -48,7 +48,7 @@ double linear(double level) { return level <= 0.04045 ? level / 12.92 : std::pow
 struct Looks {
     std::vector<Vec3> reflectance, normal;
     std::vector<bool> there;
-    std::vector<double> sunlit;  // green, in sunlight of one
+    std::vector<double> light;  // green
 };
 
 class Ground {
@@ -60,7 +60,7 @@ public:
           terrain_(must(render::TerrainPass::create(field, {.pixels_per_radian = height}))),
           looks_(must(render::GroundPass::create(field, colour))) {}
 
-    Looks draw(Camera camera, Vec3 towards_sun = Vec3(1, 0, 0)) {
+    Looks draw(Camera camera, const render::Lights& lights = {}) {
         camera.width = width, camera.height = height;
         camera_.bind(camera);
         surfaces_.begin();
@@ -68,7 +68,7 @@ public:
         looks_.draw(surfaces_, camera);
         render::GeometryBuffer::end();
         target_.bind();
-        light_.draw(surfaces_, {.towards_sun = towards_sun, .sun = Vec3(1.0), .sky = Vec3(0.0)});
+        light_.draw(surfaces_, lights);
         std::vector<float> colour(4 * width * height), light(4 * width * height);
         light_texture_.read(light);
         surfaces_.colour().read(colour);
@@ -79,7 +79,7 @@ public:
             looks.reflectance.emplace_back(linear(static_cast<double>(colour[i])), linear(static_cast<double>(colour[i + 1])),
                                            linear(static_cast<double>(colour[i + 2])));
             looks.there.push_back(colour[i + 3] > 0.0f);
-            looks.sunlit.push_back(static_cast<double>(light[i + 1]));
+            looks.light.push_back(static_cast<double>(light[i + 1]));
             const auto level = [&](std::size_t n) { return static_cast<std::uint32_t>(std::lround(normal[i / 2 + n] * 65535.0f)); };
             looks.normal.push_back(from_octahedral(level(0) | level(1) << 16));
         }
@@ -361,8 +361,8 @@ TEST_CASE("the sea's glint has the same light in the mean where its waves are se
                     camera.vertical_field_of_view = 6.0 * deg;
                     Viewpoint sun = view;
                     sun.pitch = -view.pitch - beside_deg * deg;
-                    const Looks looks = sea.draw(camera, look(sun, radius_m).forward);
-                    for (const double one : looks.sunlit)
+                    const Looks looks = sea.draw(camera, {.towards_sun = look(sun, radius_m).forward, .sun = Vec3(1.0), .sky = Vec3(0.0)});
+                    for (const double one : looks.light)
                         sum += one / (24.0 * width * height), square += one * one / (24.0 * width * height);
                 }
                 return std::pair{sum, std::sqrt(square / (sum * sum) - 1.0)};
@@ -374,4 +374,57 @@ TEST_CASE("the sea's glint has the same light in the mean where its waves are se
             CHECK(rough > 1.3 * even);
             CHECK(near == doctest::Approx(far).epsilon(0.03));
         }
+}
+
+namespace {
+
+// Of light that still water of a refractive index of 1.33 reflects at an angle of this cosine.
+double fresnel(double c) {
+    const double index = 1.33, inner = std::sqrt(1.0 - (1.0 - c * c) / (index * index));
+    const double across = (c - index * inner) / (c + index * inner), along = (index * c - inner) / (index * c + inner);
+    return 0.5 * (across * across + along * along);
+}
+
+// Of waves whose slopes are Gaussian, by the areas that the eye sees of them at an angle from straight down.
+double reflectance_of_waves(double zenith, double mean_square) {
+    std::mt19937 random(3);
+    std::normal_distribution<double> slope(0.0, std::sqrt(0.5 * mean_square));
+    const Vec3 view(std::sin(zenith), 0.0, std::cos(zenith));
+    double sum = 0.0, area = 0.0;
+    for (int n = 0; n < 100'000; ++n) {
+        const double x = slope(random), y = slope(random);
+        const Vec3 tilted(-x, -y, 1.0);
+        const double seen = std::max(0.0, glm::dot(tilted, view));
+        sum += seen * fresnel(std::min(seen / glm::length(tilted), 1.0)), area += seen;
+    }
+    return sum / area;
+}
+
+}  // namespace
+
+// Near waves hide nothing of each other here, and those that lean away from the eye, which it would not see, have their share of pixels.
+TEST_CASE("the sea mirrors of an even sky what the sum over its waves says, where they are seen and where they are not") {
+    const GpuCase gpu_case;
+    if (!gpu_case) return;
+    Ground sea(even_height(-100.0, true));
+    for (const double pitch_deg : {-80.0, -50.0, -30.0, -15.0, -8.0}) {
+        const auto share = [&](double altitude_m) {
+            std::vector<double> all;
+            for (int place = 0; place < 12; ++place) {
+                const Viewpoint view{
+                    .latitude = 0.4, .longitude = 0.2 * place, .altitude_m = altitude_m, .heading = 1.0, .pitch = pitch_deg * deg};
+                Camera camera = look(view, radius_m);
+                camera.vertical_field_of_view = 2.0 * deg;
+                const Looks looks = sea.draw(camera, {.towards_sun = camera.up, .sun = Vec3(0.0), .sky = Vec3(pi)});
+                all.insert(all.end(), looks.light.begin(), looks.light.end());
+            }
+            double sum = 0.0;
+            for (const double one : all) sum += one / static_cast<double>(all.size());
+            return sum - ground_materials()[5].reflectance.y;
+        };
+        const double expected = reflectance_of_waves((90.0 + pitch_deg) * deg, 0.04), near = share(3.0), far = share(4e3);
+        fmt::print("  pitch {:.0f}: {:.4f} of the sky, near {:.4f}, far {:.4f}\n", pitch_deg, expected, near, far);
+        CHECK(far == doctest::Approx(expected).epsilon(0.08));
+        CHECK(near == doctest::Approx(expected).epsilon(0.12));
+    }
 }

@@ -7,6 +7,8 @@
 //   AirSeen air_seen(vec3 direction, float distance_m)   the air between the eye and a place; it ends at the ground sphere
 //   AirLight air_sunlight(float h, float mu_s)           irradiance of a surface at an altitude that faces the sun
 //   AirLight air_skylight(float mu_s)                    irradiance of level ground by the whole sky but the sun
+//   AirLight air_sky(AirSeen seen, vec3 position, vec3 up, float h, vec3 direction)
+//                                                       radiance of the sky above a place, which is seen so, relative to the eye
 //   vec3 colour_of(AirLight light)                       red, green and blue
 //   vec3 colour_through(vec3 colour, AirLight seen)      what is left of light of a colour and the sun's spectrum
 //
@@ -55,6 +57,16 @@ Surface surface_at(ivec2 pixel, vec3 direction) {
     return surface;
 }
 
+// The sky in water. Of a method that does not know the moon a share is `lit`.
+vec3 mirrored_sky(Surface surface, vec3 direction, vec3 lit, AirSeen seen) {
+    Mirror mirror = mirror_of(surface.normal, surface.up, -direction, surface.material.r);
+    AirLight sky = air_sky(seen, surface.position, surface.up, surface.h, mirror.direction);
+#ifdef AIR_KNOWS_THE_MOON
+    lit = vec3(1.0);
+#endif
+    return surface.material.g * mirror.share * lit * colour_of(seen.transmittance * sky);
+}
+
 void main() {
     vec3 direction = normalize(view_ray(place));
     Surface surface = surface_at(ivec2(gl_FragCoord.xy), direction);
@@ -75,6 +87,7 @@ void main() {
         Passing lit = light_passing(surface.position, limb_darkening[0], limb_darkening[1]);
         sum += shade.a * light.of_sun * lit.sun.rgb * colour_of(seen.transmittance * air_sunlight(surface.h, mu_s)) +
                light.of_sky * lit.sky.rgb * colour_of(seen.transmittance * air_skylight(mu_s));
+        if (surface.material.g > 0.0) sum += mirrored_sky(surface, direction, lit.sky.rgb, seen);
     } else {
         vec3 background = air_shell.z > 0.0 ? texelFetch(background_buffer, ivec2(gl_FragCoord.xy), 0).rgb : vec3(0.0);
         sum += colour_through(background, seen.transmittance);

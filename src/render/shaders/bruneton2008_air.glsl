@@ -74,6 +74,12 @@ AirSeen air_seen(vec3 direction, float distance_m) {
     return AirSeen(all, seen, clamp(light.once - seen * beyond.once, vec4(0.0), all));
 }
 
+AirLight air_sky(AirSeen seen, vec3 position, vec3 up, float h, vec3 direction) {
+    vec3 to_sun = towards_sun.xyz;
+    AirRay ray = AirRay(min(h, air.top), dot(direction, up), dot(up, to_sun), dot(direction, to_sun), 0.0);
+    return light_from(ray, false, angle_between(direction, to_sun)).all;
+}
+
 // `diffuse` has a row for each altitude, of which the first is the ground.
 AirLight air_skylight(float mu_s) {
     vec2 at = vec2(texture_coordinate(sun_coordinate(mu_s), air.sun_texels), 0.5 / float(air.source_axis.texels));

@@ -31,6 +31,7 @@ void main() {
     vec3 up = normalize(vec3(camera_eye_m.xyz + dvec3(position)));
     float day = smoothstep(-0.05, 0.05, dot(up, towards_sun.xyz));
     SurfaceLight light = surface_light(colour.rgb, material, n, up, -normalize(position), towards_sun.xyz);
+    if (material.g > 0.0) light.of_sky += material.g * mirror_of(n, up, -normalize(position), material.r).share / pi;
     float sunlit = textureLod(shade_buffer, 0.5 * place + 0.5, 0.0).a;
     radiance = vec4(day * (sunlit * sun.rgb * light.of_sun + sky.rgb * light.of_sky), 1.0);
 }
