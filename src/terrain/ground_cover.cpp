@@ -22,7 +22,6 @@ GroundCover ground_cover(Vec3 direction, double height_m, Vec3 normal) {
     // Near 5600 m at the equator, 3300 m in the Alps, at the sea beyond 72 degrees.
     const double share_of_72 = std::min(1.0, std::abs(latitude) / (72.0 * deg)), snow_line_m = 5600.0 * (1.0 - share_of_72 * share_of_72);
     return {.steppe = std::max(0.85 * dry, step(1200.0, 3500.0, height_m)),
-            .sand = 1.0 - step(2.0, 30.0, height_m),
             .rock = 1.0 - step(0.90, 0.97, flatness),
             .snow = step(snow_line_m - 400.0, snow_line_m + 400.0, height_m) * step(0.80, 0.90, flatness)};
 }

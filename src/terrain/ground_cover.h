@@ -1,4 +1,5 @@
-// What covers the ground of a planet that has no picture of it: grass, rock, sand and snow by height, slope and latitude.
+// What covers the ground: grass, rock and snow by height, slope and latitude. Sand lies along shores, in strips that are narrower than the
+// ground's squares: src/render/shaders/terrain.frag finds them pixel by pixel.
 // Uses units.
 #pragma once
 
@@ -10,7 +11,7 @@ namespace airlight {
 
 // Each from 0 to 1: how far what lies before it has given way to it. Grass comes first, which all of them cover in this order.
 struct GroundCover {
-    double steppe, sand, rock, snow;
+    double steppe, rock, snow;
 };
 
 // At a height above the sea, in metres; `normal` is that of the ground's broad features.

@@ -19,7 +19,7 @@ Vec3 normal_of(Vec3 direction, Vec3 slope, double radius_m, double height_m) {
 std::uint32_t packed(const GroundCover& cover) {
     std::uint32_t bits = 0;
     int shift = 0;
-    for (const double share : {cover.steppe, cover.sand, cover.rock, cover.snow}) {
+    for (const double share : {cover.steppe, cover.rock, cover.snow}) {
         bits |= static_cast<std::uint32_t>(std::lround(share * 255.0)) << shift;
         shift += 8;
     }

@@ -241,10 +241,9 @@ GroundCover rocky_cover(double latitude, double height_m) {
 
 Vec3 mean_reflectance(const GroundCover& cover) {
     Vec3 sum = ground_materials()[0].reflectance;
-    std::size_t kind = 1;
-    for (const double share : {cover.steppe, cover.sand, cover.rock, cover.snow})
-        sum = glm::mix(sum, ground_materials()[kind++].reflectance, share);
-    return sum;
+    sum = glm::mix(sum, ground_materials()[1].reflectance, cover.steppe);
+    sum = glm::mix(sum, ground_materials()[3].reflectance, cover.rock);
+    return glm::mix(sum, ground_materials()[4].reflectance, cover.snow);
 }
 
 }  // namespace
@@ -426,5 +425,33 @@ TEST_CASE("the sea mirrors of an even sky what the sum over its waves says, wher
         fmt::print("  pitch {:.0f}: {:.4f} of the sky, near {:.4f}, far {:.4f}\n", pitch_deg, expected, near, far);
         CHECK(far == doctest::Approx(expected).epsilon(0.08));
         CHECK(near == doctest::Approx(expected).epsilon(0.12));
+    }
+}
+
+// A coast that rises by a hundredth northward: sand covers 2 m of height wholly and 28 m half, a strip of 1600 m.
+TEST_CASE("a beach has the same sand from near, where it is many pixels wide, as from afar, where it is a part of one") {
+    const GpuCase gpu_case;
+    if (!gpu_case) return;
+    HeightField coast = even_height(0.0, true);
+    coast.sample = [](Vec3 d, double) {
+        return HeightSample{std::clamp(0.01 * radius_m * std::asin(d.z), -600.0, 600.0), Vec3(0.0), Vec3(0.0), Vec3(0.0)};
+    };
+    coast.range = [](const Cap&) { return Interval{-600.0, 600.0}; };
+    coast.whole = {-600.0, 600.0};
+    Ground ground(coast);
+    const double sea = ground_materials()[5].reflectance.x, sand = ground_materials()[2].reflectance.x,
+                 grass = ground_materials()[0].reflectance.x;
+    for (const double altitude_m : {5e3, 5e4, 3e5}) {
+        const Camera camera = above(0.0, 10.0, altitude_m);
+        const double pixel_m = 2.0 * altitude_m * half_size(camera).height / height;
+        const int rows = std::clamp(static_cast<int>(std::ceil(4000.0 / pixel_m)), 5, height / 2);
+        double sum = 0.0;
+        const Looks looks = ground.draw(camera);
+        for (int row = height / 2 - rows; row < height / 2 + rows; ++row)
+            for (int column = 0; column < width; ++column)
+                sum += looks.reflectance[static_cast<std::size_t>(row * width + column)].x * pixel_m / width;
+        const double strip_m = (sum - rows * pixel_m * (sea + grass)) / (sand - grass);
+        fmt::print("  a pixel of {:>5.0f} m: a strip of {:.0f} m\n", pixel_m, strip_m);
+        CHECK(strip_m == doctest::Approx(1600.0).epsilon(0.15));
     }
 }

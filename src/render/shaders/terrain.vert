@@ -2,7 +2,7 @@
 // The ground as the eye sees it.
 #include "terrain_vertex.glsl"
 layout(location = 0) out vec3 normal;
-layout(location = 1) out vec4 cover;
+layout(location = 1) out vec3 cover;
 layout(location = 2) out float height_m;
 layout(location = 3) flat out vec2 depth_limits;  // of the triangle
 

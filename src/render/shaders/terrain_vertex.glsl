@@ -20,7 +20,7 @@ layout(std140, binding = 1) uniform Reach { vec4 reach_m[7]; };
 struct Vertex {
     vec3 place;  // relative to the eye
     vec3 normal;
-    vec4 cover;  // of the ground (src/terrain/ground_cover.h)
+    vec3 cover;  // of the ground (src/terrain/ground_cover.h)
     float height_m;
 };
 
@@ -40,7 +40,7 @@ Vertex vertex_of(Place p, ivec2 at) {
     vec3 fine = from_octahedral(unpackUnorm2x16(tile_words[word + 6])), coarse = from_octahedral(unpackUnorm2x16(tile_words[word + 7]));
     v.normal = mix(fine, coarse, glide(p.level, length(v.place)));
     v.height_m = uintBitsToFloat(tile_words[word + 8]);
-    v.cover = unpackUnorm4x8(tile_words[word + 9]);
+    v.cover = unpackUnorm4x8(tile_words[word + 9]).rgb;
     return v;
 }
 
@@ -49,7 +49,7 @@ Vertex glided_vertex(out Place patch_place) {
     patch_place = places[gl_InstanceID];
     ivec2 at = ivec2(gl_VertexID % side, gl_VertexID / side);
     precise vec3 place = vec3(0.0);
-    Vertex sum = Vertex(vec3(0.0), vec3(0.0), vec4(0.0), 0.0);
+    Vertex sum = Vertex(vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
     precise float left = 1.0;
     for (int n = 0; n <= step_of_corner && left > 0.0; ++n) {
         Vertex v = vertex_of(patch_place, at);
