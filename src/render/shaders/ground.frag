@@ -12,11 +12,13 @@ layout(location = 0) in vec2 place;
 const float rough_land = 1.0;
 const float slopes_of_sea = 0.04;  // their mean square, in a wind of 7 m/s [CoxMunk1954]
 
+const float rounding = 1e-6;  // of a position rebuilt from depth, as a share of its distance: nothing finer is looked at through a telescope
+
 // How wide a pixel is on the ground: between its width and its length, which on ground that is seen at a low angle are far apart.
 float footprint_m(vec3 position, vec3 normal) {
     float distance_m = length(position), width_m = distance_m * 2.0 * camera_lens.y / float(textureSize(depth_buffer, 0).y);
     float facing = max(-dot(position, normal) / distance_m, 0.02);
-    return width_m * max(inversesqrt(facing), 0.5 / facing);
+    return max(width_m * max(inversesqrt(facing), 0.5 / facing), rounding * distance_m);
 }
 
 void main() {
