@@ -26,10 +26,10 @@ constexpr int widest_octave = 10;
 // std140: `uniform Ground`.
 struct Materials {
     std::array<std::array<float, 4>, ground_kinds> reflectance{};  // and contrast
-    std::array<std::array<float, 4>, ground_kinds> tint{};  // and relief
-    float sea = 0.0f;            // 1: what lies below 0 m is under water
-    float image_pixel_m = 0.0f;  // from north to south; 0: there is no image
-    float widest = 0.0f;         // octave
+    std::array<std::array<float, 4>, ground_kinds> tint{};         // and relief
+    float sea = 0.0f;                                              // 1: what lies below 0 m is under water
+    float image_pixel_m = 0.0f;                                    // from north to south; 0: there is no image
+    float widest = 0.0f;                                           // octave
     float padding = 0.0f;
 };
 struct EyeBlock {

@@ -7,9 +7,7 @@
 namespace airlight {
 
 TileStore::TileStore(HeightField field, std::size_t most_bytes)
-    : field_(std::move(field)),
-      most_tiles_(most_bytes / tile_bytes),
-      worker_([this](const std::stop_token& stop) { build_ahead(stop); }) {}
+    : field_(std::move(field)), most_tiles_(most_bytes / tile_bytes), worker_([this](const std::stop_token& stop) { build_ahead(stop); }) {}
 
 TileStore::~TileStore() = default;
 

@@ -6,7 +6,7 @@ layout(location = 2) out vec2 surface_material;
 
 // reflectance  of red, green and blue light, in all directions alike: 0 to 1
 // normal       of length one
-// roughness    0 is a mirror, 1 has no highlight
+// roughness    0 is a mirror, 1 has no highlight; where water is a part, that of the water
 // water        1 on water, 0 on land, between them at a shore
 void write_surface(vec3 reflectance, vec3 normal, float roughness, float water) {
     surface_colour = vec4(reflectance, 1.0);

@@ -4,7 +4,7 @@ const int grass = 0, steppe = 1, sand = 2, rock = 3, snow = 4, sea = 5;
 layout(std140, binding = 1) uniform Ground {
     vec4 ground_reflectance[6];  // and contrast
     vec4 ground_tint[6];         // and relief
-    vec4 ground_wishes;  // 1 if what lies below 0 m is under water; a pixel of the image from north to south, in metres, or 0; the widest octave
+    vec4 ground_facts;  // 1 if what lies below 0 m is under water; a pixel of the image from north to south, in metres, or 0; the widest octave
 };
 layout(binding = 4) uniform sampler2D ground_image;
 
@@ -39,12 +39,12 @@ vec3 covered_variation(vec4 cover, Detail detail) {
 vec3 image_reflectance(vec3 direction, float footprint_m) {
     const float pi = 3.14159265358979;
     vec2 place = vec2(0.5 + atan(direction.y, direction.x) / (2.0 * pi), 0.5 - atan(direction.z, length(direction.xy)) / pi);
-    return textureLod(ground_image, place, log2(footprint_m / ground_wishes.y)).rgb;
+    return textureLod(ground_image, place, log2(footprint_m / ground_facts.y)).rgb;
 }
 
 // The colour of the ground, and of the sea where there is water; `there`: what covers it in patches.
 vec3 reflectance_of(vec4 there, Detail detail, float water, vec3 position, float footprint_m) {
-    if (ground_wishes.y > 0.0) {
+    if (ground_facts.y > 0.0) {
         vec3 image = image_reflectance(normalize(vec3(camera_eye_m.xyz) + position), footprint_m);
         return image * mix(covered_variation(there, detail), vec3(1.0), water);
     }
