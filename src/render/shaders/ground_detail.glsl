@@ -54,10 +54,9 @@ Detail detail_at(vec3 place, float footprint_m, int widest) {
     float x = max(0.5 * log2(footprint_m * least_pixels / narrowest_m), 0.0), share = fract(x);
     int first = int(x);
     Detail sum = Detail(0.0, 0.0, vec3(0.0), vec3(0.0));
-    for (int i = 0; i < 3; ++i) {
-        int octave = first + i;
+    for (int octave = first; octave <= min(first + 2, widest); ++octave) {
+        int i = octave - first;
         float weight = sqrt(0.5) * (i == 0 ? 1.0 - share : i == 1 ? 1.0 : share), bump = 0.5 * (i == 0 ? 2.0 - 2.0 * share : i == 1 ? 1.0 + share : share);
-        if (octave > widest || weight == 0.0) continue;
         vec4 whole = octave_noise(octave, place), noise = weight * whole;
         sum.grain += noise.w;
         sum.patches += octave % 2 == 0 ? noise.w : -noise.w;
@@ -81,10 +80,9 @@ Waves waves_at(vec3 place, float footprint_m, float mean_square) {
     float x = max(0.5 * log2(footprint_m * least_pixels / narrowest_m), 0.0), share = fract(x);
     int first = int(x);
     Waves sum = Waves(vec3(0.0), 0.0);
-    for (int i = 0; i < 3; ++i) {
-        int octave = first + i;
+    for (int octave = first; octave <= min(first + 2, widest_wave); ++octave) {
+        int i = octave - first;
         float weight = i == 0 ? 1.0 - share : i == 1 ? 1.0 : share;
-        if (octave > widest_wave || weight == 0.0) continue;
         sum.slope += weight * sqrt(0.5 * share_of_octave * mean_square) * octave_noise(octave, place).xyz;
         sum.share += weight * weight * share_of_octave;
     }
