@@ -217,6 +217,20 @@ TEST_CASE("light shafts: where nothing casts a shadow all of the light stays") {
     for (const Shafts method : {Shafts::epipolar, Shafts::marched}) CHECK(mean_share(scene.shade(method)) > 0.9998);
 }
 
+TEST_CASE("light shafts: seen from space, the day side of a planet has none") {
+    const GpuCase gpu_case;
+    if (!gpu_case) return;
+    const HeightField field = procedural_height({.sea = false});
+    Scene scene(field);
+    scene.look(camera_at(field, 1.2e7, 30.0, -90.0), sun_at(field, 60.0, 70.0));
+    for (const Shafts method : {Shafts::brute, Shafts::epipolar, Shafts::marched})
+        for (const int pixels_of_ray : {1, 2}) {
+            const std::vector<float> shade = scene.shade(method, pixels_of_ray);
+            for (std::size_t at = 0; at < shade.size(); ++at)
+                if (at % 4 < 3) CHECK(shade[at] > 0.9f);
+        }
+}
+
 TEST_CASE("light shafts: behind a wall as high as the air nothing stays of light scattered once, on the ground nothing of the sun's") {
     const GpuCase gpu_case;
     if (!gpu_case) return;

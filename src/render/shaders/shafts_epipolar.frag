@@ -32,7 +32,8 @@ vec3 lit_share(vec2 place, vec3 direction, AirRay start, float way, vec2 part) {
     ivec2 slices = ivec2(int(floor(at))) + ivec2(0, 1);
     slices = slice_counts.w == 1 ? (slices + slice_counts.x) % slice_counts.x : clamp(slices, 0, slice_counts.x - 1);
     int first = int(place_across((start.empty + part.x) * sine));
-    int last = clamp(int(place_across((start.empty + part.y) * sine) + 0.5), first + 1, slice_counts.y);
+    // A place beyond the ray's end says nothing of it: a part too short for any is lit.
+    int last = clamp(int(place_across((start.empty + part.y) * sine) + 0.5), first, slice_counts.y);
     ShaftsView view = shafts_view(place, direction, start);
     LitSum sum = lit_from_the_eye();
     float from = part.x;
