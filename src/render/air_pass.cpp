@@ -4,7 +4,10 @@
 
 #include <array>
 #include <cassert>
+#include <span>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "render/eclipse_table.h"
 #include "render/shaders.h"
@@ -28,9 +31,6 @@ Vec3 colour_of_sun(const ColouredAir& air, Share share) {
 
 Result<AirPass> AirPass::create(const ColouredAir& air, std::unique_ptr<AirMethod> method) {
     assert(air.colours.size() == air.wavelengths.size());
-    Result<gpu::Program> made = program("fullscreen.vert", method->shader());
-    if (!made) return made.error();
-    made->bind_block("AirlightBlock", airlight_block_binding);
     const Sun& sun = air.atmosphere.sun;
     const Vec3 whole = colour_of_sun(air, [](Wavelength) { return 1.0; });
     const auto mean = [&](const SpectrumOf<Number>& u) {
@@ -46,12 +46,13 @@ Result<AirPass> AirPass::create(const ColouredAir& air, std::unique_ptr<AirMetho
                     .ground_albedo = mean(air.atmosphere.ground_albedo),
                     .moon = {},
                     .eclipse = {}};
-    return AirPass(std::move(*made), std::move(method), view, air.atmosphere);
+    AirPass pass(std::move(method), view, air.atmosphere);
+    if (const Result<Done> made = pass.use_program(true); !made) return made.error();
+    return pass;
 }
 
-AirPass::AirPass(gpu::Program program, std::unique_ptr<AirMethod> method, const View& view, Atmosphere atmosphere)
-    : program_(std::move(program)),
-      method_(std::move(method)),
+AirPass::AirPass(std::unique_ptr<AirMethod> method, const View& view, Atmosphere atmosphere)
+    : method_(std::move(method)),
       view_(view),
       atmosphere_(std::move(atmosphere)),
       view_block_(sizeof(View)),
@@ -75,29 +76,45 @@ void AirPass::prepare(const Camera& camera, Vec3 towards_sun, gpu::PassTimers& t
     method_->prepare({altitude_m, glm::dot(camera.eye, towards_sun) / radius_m}, timers);
 }
 
-void AirPass::draw(const GeometryBuffer& surfaces, const gpu::Texture* shade, const gpu::Texture* background) {
-    glDisable(GL_BLEND);
-    draw_pictures(surfaces, shade, background);
+Result<Done> AirPass::use_program(bool water) {
+    const bool moon = view_.moon[3] > 0.0f;
+    std::optional<gpu::Program>& of_picture = programs_[water][moon];
+    if (!of_picture) {
+        std::vector<std::string_view> lacks;
+        if (!water) lacks.push_back("AIR_WITHOUT_WATER");
+        if (!moon) lacks.push_back("AIR_WITHOUT_MOON");
+        Result<gpu::Program> made = program("fullscreen.vert", method_->shader(), lacks);
+        if (!made) return made.error();
+        made->bind_block("AirlightBlock", airlight_block_binding);
+        of_picture.emplace(*std::move(made));
+    }
+    of_picture->use();
+    return Done{};
 }
 
-void AirPass::add(const GeometryBuffer& surfaces, Vec3 shares) {
+Result<Done> AirPass::draw(const GeometryBuffer& surfaces, const gpu::Texture* shade, const gpu::Texture* background, bool water) {
+    glDisable(GL_BLEND);
+    return draw_pictures(surfaces, shade, background, water);
+}
+
+Result<Done> AirPass::add(const GeometryBuffer& surfaces, Vec3 shares, bool water) {
     glBlendColor(static_cast<float>(shares.r), static_cast<float>(shares.g), static_cast<float>(shares.b), 0.0f);
     glBlendFunc(GL_CONSTANT_COLOR, GL_ONE);
     glEnable(GL_BLEND);
-    draw_pictures(surfaces, nullptr, nullptr);
+    return draw_pictures(surfaces, nullptr, nullptr, water);
 }
 
-void AirPass::draw_pictures(const GeometryBuffer& surfaces, const gpu::Texture* shade, const gpu::Texture* background) {
+Result<Done> AirPass::draw_pictures(const GeometryBuffer& surfaces, const gpu::Texture* shade, const gpu::Texture* background, bool water) {
     view_.shell[2] = background ? 1.0f : 0.0f;
     view_block_.write(std::as_bytes(std::span(&view_, 1)));
     view_block_.bind_uniform(view_binding);
+    if (const Result<Done> used = use_program(water); !used) return used.error();
     unsigned binding = 0;
     for (const gpu::Texture* texture : {&surfaces.depth(), &surfaces.colour(), &surfaces.normal(), &surfaces.material()})
         texture->bind_sampler(binding++);
     (background ? *background : lit_).bind_sampler(4);
     covered_sun_.bind_sampler(5);
     (shade ? *shade : lit_).bind_sampler(7);
-    program_.use();
     glDisable(GL_DEPTH_TEST);
     for (int picture = 0; picture < method_->pictures(); ++picture) {
         method_->bind(picture);
@@ -108,6 +125,7 @@ void AirPass::draw_pictures(const GeometryBuffer& surfaces, const gpu::Texture* 
         }
     }
     glDisable(GL_BLEND);
+    return Done{};
 }
 
 }  // namespace airlight::render

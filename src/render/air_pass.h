@@ -4,6 +4,7 @@
 // Leaves out: a surface's diffuse light is that of the sky over the ground sphere.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -27,11 +28,14 @@ public:
 
     // Draws into the bound framebuffer, whose colours are floats: red, green and blue; alpha means nothing. A CameraBlock of the same
     // camera is bound. Hues beyond the triangle of the primaries have negative parts. `shade`: of ShaftsPass, where anything casts a
-    // shadow. `background`: of BackgroundPass, what stands above the air.
-    void draw(const GeometryBuffer& surfaces, const gpu::Texture* shade = nullptr, const gpu::Texture* background = nullptr);
+    // shadow. `background`: of BackgroundPass, what stands above the air. `water`: whether there may be any, which costs a third more.
+    // Fails if the method's shader cannot be compiled.
+    Result<Done> draw(const GeometryBuffer& surfaces, const gpu::Texture* shade = nullptr, const gpu::Texture* background = nullptr,
+                      bool water = true);
 
     // Adds the light of the air and on surfaces, as if the sun, where prepare() was told that it stands, shone with shares of its light.
-    void add(const GeometryBuffer& surfaces, Vec3 shares);
+    // Fails as draw() does.
+    Result<Done> add(const GeometryBuffer& surfaces, Vec3 shares, bool water = true);
 
     const Atmosphere& atmosphere() const { return atmosphere_; }
 
@@ -39,10 +43,13 @@ private:
     struct View {
         Four eye_up, towards_sun, shell, colour_of_sun, limb_darkening_1, limb_darkening_2, ground_albedo, moon, eclipse;
     };
-    AirPass(gpu::Program program, std::unique_ptr<AirMethod> method, const View& view, Atmosphere atmosphere);
-    void draw_pictures(const GeometryBuffer& surfaces, const gpu::Texture* shade, const gpu::Texture* background);
+    AirPass(std::unique_ptr<AirMethod> method, const View& view, Atmosphere atmosphere);
+    Result<Done> use_program(bool water);
+    Result<Done> draw_pictures(const GeometryBuffer& surfaces, const gpu::Texture* shade, const gpu::Texture* background, bool water);
 
-    gpu::Program program_;
+    // Drivers that draw on the CPU work off both branches everywhere: what a picture lacks is left out of the text. By whether there is
+    // water and a moon before the sun; each is compiled when a picture needs it.
+    std::array<std::array<std::optional<gpu::Program>, 2>, 2> programs_;
     std::unique_ptr<AirMethod> method_;
     View view_;
     Atmosphere atmosphere_;

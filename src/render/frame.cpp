@@ -91,8 +91,9 @@ Result<Done> Frame::render(const Camera& camera, const Lights& lights) {
         const auto pass = timers_.time("background");
         background_.draw(camera, heavens, bending(camera));
     }
-    if (air_) draw_air(camera, heavens);
-    else {
+    if (air_) {
+        if (const Result<Done> drawn = draw_air(camera, heavens); !drawn) return drawn.error();
+    } else {
         if (shafts_) draw_shade(camera, lights.towards_sun);
         const auto pass = timers_.time("light");
         target_.bind();
@@ -119,7 +120,7 @@ void Frame::draw_shade(const Camera& camera, Vec3 towards_sun) {
     shafts_->draw(surfaces_, shadows_, camera);
 }
 
-void Frame::draw_air(const Camera& camera, const Heavens& heavens) {
+Result<Done> Frame::draw_air(const Camera& camera, const Heavens& heavens) {
     const Length reach = air_->atmosphere().bottom_radius + air_->atmosphere().top_altitude;
     const bool night = is_night(camera, heavens), shaded = shafts_ && !night;
     air_->prepare(camera, heavens.towards_sun, timers_, eclipse_of(heavens, camera.eye, reach.in(m)));
@@ -127,14 +128,16 @@ void Frame::draw_air(const Camera& camera, const Heavens& heavens) {
     {
         const auto pass = timers_.time("air");
         target_.bind();
-        air_->draw(surfaces_, shaded ? &shafts_->shade() : nullptr, &background_.radiance());
+        const Result<Done> drawn =
+            air_->draw(surfaces_, shaded ? &shafts_->shade() : nullptr, &background_.radiance(), terrain_.count().sea);
+        if (!drawn) return drawn.error();
     }
     const std::optional<MoonSeen> moon = moon_seen(heavens, camera.eye);
-    if (!moon || !night) return;
+    if (!moon || !night) return Done{};
     air_->prepare(camera, moon->towards, timers_);
     const auto pass = timers_.time("moonlit air");
     target_.bind();
-    air_->add(surfaces_, moon->illuminance / sunlight(heavens, SpectrumOf<Number>::constant(1.0)));
+    return air_->add(surfaces_, moon->illuminance / sunlight(heavens, SpectrumOf<Number>::constant(1.0)), terrain_.count().sea);
 }
 
 }  // namespace airlight::render

@@ -60,7 +60,7 @@ private:
 
     const BendingTable& bending(const Camera& camera);
     void draw_shade(const Camera& camera, Vec3 towards_sun);
-    void draw_air(const Camera& camera, const Heavens& heavens);
+    Result<Done> draw_air(const Camera& camera, const Heavens& heavens);
 
     const gpu::Context* context_;
     CameraBlock camera_;

@@ -47,10 +47,15 @@ std::vector<std::filesystem::path> shader_folders() {
     return {std::filesystem::path(tree) / shared_text, std::filesystem::path(tree) / folder_of_shaders};
 }
 
-Result<gpu::Program> program(std::string_view vertex, std::string_view fragment) {
-    const Result<gpu::ShaderText> first = shader_text(vertex), second = shader_text(fragment);
+Result<gpu::Program> program(std::string_view vertex, std::string_view fragment, std::span<const std::string_view> defined) {
+    const Result<gpu::ShaderText> first = shader_text(vertex);
+    Result<gpu::ShaderText> second = shader_text(fragment);
     if (!first) return first.error();
     if (!second) return second.error();
+    // After the line of the version, which is the first; those that follow keep their numbers.
+    std::string definitions;
+    for (const std::string_view name : defined) definitions += "#define " + std::string(name) + '\n';
+    if (!defined.empty()) second->text.insert(second->text.find('\n') + 1, definitions + "#line 2 0\n");
     const gpu::Stage stages[] = {{GL_VERTEX_SHADER, *first}, {GL_FRAGMENT_SHADER, *second}};
     return gpu::Program::link(std::string(vertex) + " and " + std::string(fragment), stages);
 }

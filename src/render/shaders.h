@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <initializer_list>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -19,8 +20,9 @@ Result<gpu::ShaderText> shader_text(std::string_view name);
 // The folders that AIRLIGHT_SHADERS has shader_text() read from; none without it.
 std::vector<std::filesystem::path> shader_folders();
 
-// A program of a vertex and a fragment shader: program("terrain.vert", "terrain.frag").
-Result<gpu::Program> program(std::string_view vertex, std::string_view fragment);
+// A program of a vertex and a fragment shader: program("terrain.vert", "terrain.frag"). `defined`: names that the fragment shader's text
+// finds defined.
+Result<gpu::Program> program(std::string_view vertex, std::string_view fragment, std::span<const std::string_view> defined = {});
 
 // A program of a compute shader: compute_program("histogram.comp").
 Result<gpu::Program> compute_program(std::string_view name);

@@ -71,8 +71,14 @@ void TerrainPass::draw(const Camera& camera, Culling culling) {
     const std::size_t before = store_->built();
     program_.use();
     draw_patches(selection.nodes);
-    count_ = {selection.nodes.size(), selection.nodes.size() * patch_triangles().size(), selection.visited, selection.culled,
-              store_->built() - before};
+    count_ = {selection.nodes.size(),
+              selection.nodes.size() * patch_triangles().size(),
+              selection.visited,
+              selection.culled,
+              store_->built() - before,
+              tree_.field().sea && std::ranges::any_of(selection.nodes, [&](const Node& node) {
+                  return tree_.bounds(node).radii_m.low <= tree_.field().radius_m;
+              })};
 }
 
 std::size_t TerrainPass::draw_depths(Vec3 eye, std::span<const HalfSpace> within, int finest) {

@@ -21,6 +21,7 @@ struct TerrainCount {
     std::size_t patches = 0, triangles = 0;
     int visited = 0, culled = 0;
     std::size_t built = 0;  // tiles, for this frame
+    bool sea = false;       // whether some of the patches may reach below it
 };
 
 class TerrainPass {

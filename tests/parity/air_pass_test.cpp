@@ -93,7 +93,7 @@ void main() {
         render::GeometryBuffer::end();
         camera_block_.bind(camera);
         target_->bind();
-        air.draw(*surfaces_, shade);
+        REQUIRE(air.draw(*surfaces_, shade));
         std::vector<float> pixels(4 * width * height);
         radiance_.read(pixels);
         return pixels;
@@ -441,7 +441,7 @@ private:
         triangle_.draw_triangles(3);
         render::GeometryBuffer::end();
         target_->bind();
-        air.draw(*surfaces_);
+        REQUIRE(air.draw(*surfaces_));
         std::vector<float> pixels(4 * width * height);
         radiance_.read(pixels);
         return pixels;

@@ -119,7 +119,7 @@ void main() {
         gpu::PassTimers timers;
         pass.prepare(q.camera, q.sun, timers);
         target_.bind();
-        pass.draw(surfaces_);
+        REQUIRE(pass.draw(surfaces_));
         std::vector<float> pixels(4 * q.depth.size());
         radiance_.read(pixels);
         std::array<double, 2> difference{}, sum{};

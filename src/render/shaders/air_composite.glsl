@@ -12,6 +12,8 @@
 //   vec3 colour_of(AirLight light)                       red, green and blue
 //   vec3 colour_through(vec3 colour, AirLight seen)      what is left of light of a colour and the sun's spectrum
 //
+// Pictures without an eclipse define AIR_WITHOUT_MOON, those without water AIR_WITHOUT_WATER.
+//
 // Where a method draws several times, each with a share of the wavelengths, its pictures add up.
 #include "camera.glsl"
 #include "octahedral.glsl"
@@ -72,7 +74,7 @@ void main() {
     Surface surface = surface_at(ivec2(gl_FragCoord.xy), direction);
     float distance_m = surface.there ? length(surface.position) : 1e30;
     AirSeen seen = air_seen(direction, distance_m);
-#ifdef AIR_KNOWS_THE_MOON
+#if defined(AIR_KNOWS_THE_MOON) || defined(AIR_WITHOUT_MOON)
     Passing air_lit = Passing(vec4(1.0), vec4(1.0));
 #else
     Passing air_lit = air_passing(direction, distance_m);
@@ -84,10 +86,16 @@ void main() {
         SurfaceLight light =
             surface_light(surface.reflectance, surface.material, surface.normal, surface.up, -direction, towards_sun.xyz);
         float mu_s = clamp(dot(surface.up, towards_sun.xyz), -1.0, 1.0);
+#ifdef AIR_WITHOUT_MOON
+        Passing lit = Passing(vec4(1.0), vec4(1.0));
+#else
         Passing lit = light_passing(surface.position, limb_darkening[0], limb_darkening[1]);
+#endif
         sum += shade.a * light.of_sun * lit.sun.rgb * colour_of(seen.transmittance * air_sunlight(surface.h, mu_s)) +
                light.of_sky * lit.sky.rgb * colour_of(seen.transmittance * air_skylight(mu_s));
+#ifndef AIR_WITHOUT_WATER
         if (surface.material.g > 0.0) sum += mirrored_sky(surface, direction, lit.sky.rgb, seen);
+#endif
     } else {
         vec3 background = air_shell.z > 0.0 ? texelFetch(background_buffer, ivec2(gl_FragCoord.xy), 0).rgb : vec3(0.0);
         sum += colour_through(background, seen.transmittance);
