@@ -107,7 +107,7 @@ TEST_CASE("neither place nor speed jumps, at keys as well") {
     }
 }
 
-TEST_CASE("a key may count from the ground or the sea, and its path reads back so; over a ground it counts from 0 m") {
+TEST_CASE("a key may count from the ground or the sea, and its path reads back so, over a ground it counts from 0 m") {
     const std::string walk = "[[key]]\ntime_s = 0\nlatitude = \"46 deg\"\nlongitude = \"8 deg\"\nabove_ground = \"2 m\"\n";
     const CameraPath path = *parse_camera_path(walk, "path.toml");
     CHECK(path.keys[0].above_ground);

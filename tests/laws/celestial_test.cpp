@@ -224,7 +224,7 @@ TEST_CASE("air bends rays as Saemundsson's formula says, down to the horizon") {
     }
 }
 
-TEST_CASE("high in the sky bending is (n - 1) tan z; from space the limb bends twice as much as the horizon; without air nothing bends") {
+TEST_CASE("high in the sky bending is (n - 1) tan z, from space the limb bends twice as much as the horizon, without air nothing bends") {
     const Atmosphere air = *preset("earth-rayleigh");
     CHECK(bending(air, 0.0 * m, 60.0 * deg) == doctest::Approx(2.78e-4 * std::tan(30.0 * deg)).epsilon(0.01));
     CHECK(bending(air, 0.0 * m, 90.0 * deg) == doctest::Approx(0.0).epsilon(1e-9));

@@ -163,7 +163,7 @@ TEST_CASE("white is the lightest grey of CIELAB, and grey of 18.4 % is half as l
     CHECK(lab({0.0, 0.0, 0.0}, white).l == doctest::Approx(0.0));
 }
 
-TEST_CASE("pictures: equal ones do not differ; a level of 255 and dither are not seen, a shade of eight and another hue are") {
+TEST_CASE("pictures: equal ones do not differ, a level of 255 and dither are not seen, a shade of eight and another hue are") {
     const PngLevels sky = gradient({0, 0, 0}, 0, 0.0);
     CHECK(difference_of(sky, sky).mean == 0.0);
     CHECK(difference_of(sky, sky).high == 0.0);

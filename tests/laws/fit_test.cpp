@@ -75,7 +75,7 @@ TEST_CASE("least squares find the parameters that samples were made of, with and
     }
 }
 
-TEST_CASE("finished jobs come back to the bit; a damaged one is as one that is not there") {
+TEST_CASE("finished jobs come back to the bit, a damaged one is as one that is not there") {
     const test::TemporaryFolder folder;
     const JobStore store(folder.path / "jobs");
     const TableKey key = JobKey("one").hash(), other = JobKey("other").hash();

@@ -207,7 +207,7 @@ TEST_CASE("dobashi1997: in its bands, at its suns, the sky is that of kaneda1991
         }
 }
 
-TEST_CASE("dobashi1997: three forms of one sky; it is the same on both sides of the sun, and in domes") {
+TEST_CASE("dobashi1997: three forms of one sky, it is the same on both sides of the sun, and in domes") {
     const auto source = clear_sky("oneil2005");  // the fastest
     const test::TemporaryFolder folder;
     ModelOptions options;

@@ -203,7 +203,7 @@ TEST_CASE("the closed form of constant air is the integral over it") {
     CHECK(air.inscattered_W_m2_sr_nm[1] == doctest::Approx(sum).epsilon(1e-6));
 }
 
-TEST_CASE("fog: nothing scatters where there is none; linear and exponential fog let the same through in the mean") {
+TEST_CASE("fog: nothing scatters where there is none, linear and exponential fog let the same through in the mean") {
     const auto clear = sky_of("fog", earth(1e-12));
     const View view{0.0 * m, 89.0 * deg, 50.0 * deg, 30.0 * deg};
     CHECK((*clear->aerial_perspective(view, 100.0 * km)).transmittance[1] == doctest::Approx(1.0).epsilon(1e-9));
@@ -234,7 +234,7 @@ TEST_CASE("O'Neil's scale function, fitted to O'Neil's planet, is his polynomial
     CHECK(fit.worst_residual < 0.08);
 }
 
-TEST_CASE("the scale function is fitted to any planet; the thinner the air beside the planet, the worse the polynomial") {
+TEST_CASE("the scale function is fitted to any planet, the thinner the air beside the planet, the worse the polynomial") {
     const auto residual = [](double radius_km, double scale_height_km) {
         return fit_scale_function(radius_km * km, 8.0 * scale_height_km * km, scale_height_km * km).mean_residual;
     };
@@ -267,7 +267,7 @@ TEST_CASE("nishita1996 answers by day: not in twilight, nor from space where it 
     CHECK(!sky->aerial_perspective({0.0 * m, 80.0 * deg, 91.0 * deg, 0.0}, 1.0 * km));
 }
 
-TEST_CASE("nishita1996 of one order is nishita1993; each further order adds light") {
+TEST_CASE("nishita1996 of one order is nishita1993, each further order adds light") {
     const auto once = sky_of("nishita1993", earth(1.0, 0.3)), one = sky_of("nishita1996", earth(1.0, 0.3), {.variant = "1"}),
                two = sky_of("nishita1996", earth(1.0, 0.3)), three = sky_of("nishita1996", earth(1.0, 0.3), {.variant = "3"});
     for (const View& view : {View{0.0 * m, 50.0 * deg, 40.0 * deg, 1.0}, View{9.0 * km, 95.0 * deg, 80.0 * deg, 2.0},

@@ -259,7 +259,7 @@ TEST_CASE("tiles are kept within their bound, built ahead in the background, and
     CHECK(store.built() == 8 + 40 + 8);
 }
 
-TEST_CASE("an image of the planet is read pixel by pixel; a wrong one is told") {
+TEST_CASE("an image of the planet is read pixel by pixel, a wrong one is told") {
     const TemporaryFolder folder;
     const auto path = write_raster(
         folder, {.columns = 16, .rows = 8, .placed = false, .epsg = 0}, [](int x, int y) { return 10.0 * x + y; }, "surface.tif");

@@ -119,7 +119,7 @@ TEST_CASE("a scene's elevation file that is missing is one message with its path
     says(ground.error().message(), "folder/none.tif: there is no such file");
 }
 
-TEST_CASE("a time places moon and stars as well; without one the moon stands where the scene says, and there are no stars") {
+TEST_CASE("a time places moon and stars as well, without one the moon stands where the scene says, and there are no stars") {
     const std::string time = "[sun]\ntime = \"2024-04-08T18:17:20Z\"\n", over_mexico =
                                                                              "[camera]\nlatitude = \"25.3 deg\"\nlongitude = "
                                                                              "\"-104.1 deg\"\naltitude = \"20 km\"\n";

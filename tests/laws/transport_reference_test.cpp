@@ -360,7 +360,7 @@ TEST_CASE("the same seed gives the same bits on any number of threads") {
     CHECK(run(2).radiance_W_m2_sr_nm != (*reference.radiance({0.0 * m, 1.0, 1.0, 0.3}, {.paths = 20000, .seed = 43})).radiance_W_m2_sr_nm);
 }
 
-TEST_CASE("an irradiance is the sky's radiance over the hemisphere, by cosine; the direct part is the beam's") {
+TEST_CASE("an irradiance is the sky's radiance over the hemisphere, by cosine, the direct part is the beam's") {
     const Reference reference = *Reference::of(earth(), one_wavelength);
     const IrradianceEstimate irradiance = *reference.irradiance(0.0 * m, 0.7, {.paths = 65536});
     CHECK(irradiance.direct_W_m2_nm[0] ==
@@ -424,7 +424,7 @@ TEST_CASE("no query of the whole domain gives a NaN, an infinity or a negative r
     }
 }
 
-TEST_CASE("an eye below the ground, no wavelength, or no path is an error that says so; a view that misses the air is black") {
+TEST_CASE("an eye below the ground, no wavelength, or no path is an error that says so, a view that misses the air is black") {
     const Reference reference = *Reference::of(earth(), one_wavelength);
     const auto below = reference.radiance({-5.0 * m, 0.0, 0.0, 0.0}, {});
     REQUIRE(!below);

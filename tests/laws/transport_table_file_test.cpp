@@ -289,7 +289,7 @@ TEST_CASE("a value that no light has is refused, on the way in and on the way ou
     }
 }
 
-TEST_CASE("a full disk or a missing folder is one message; what stood there stays, and nothing is left behind") {
+TEST_CASE("a full disk or a missing folder is one message, what stood there stays, and nothing is left behind") {
     const Sample sample;
     std::filesystem::create_symlink("/dev/full", temporary_name(sample.path));  // what write_file() writes to, is full
     const auto full = write_tables(sample.path, sample.origin, std::span(&sample.tables, 1));

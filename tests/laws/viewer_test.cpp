@@ -114,7 +114,7 @@ TEST_CASE("no flight leads into the ground or the sea") {
     }
 }
 
-TEST_CASE("an eye without steering stays, to the bit; a turn ends straight up and straight down") {
+TEST_CASE("an eye without steering stays, to the bit, a turn ends straight up and straight down") {
     const Viewpoint eye{.latitude = 0.1, .longitude = 0.2, .altitude_m = 10.0, .heading = 3.0, .pitch = 0.1};
     CHECK(flown(eye, {}, 0.5, 10.0, smooth()) == eye);
     CHECK(turned(eye, 0.0, 9.0).pitch == 0.5 * pi);
@@ -150,7 +150,7 @@ TEST_CASE("the sun stands in the world: an eye that flies a quarter around the p
     CHECK(sun_angles(session).azimuth == doctest::Approx(-90.0 * deg));
 }
 
-TEST_CASE("twelve hours turn the sun around the axis of the planet; at noon of the equinox it stands over the equator") {
+TEST_CASE("twelve hours turn the sun around the axis of the planet, at noon of the equinox it stands over the equator") {
     Session session = *session_of(scene_of(toml), smooth());
     set_time(session, *parse_utc("2024-03-20T12:00:00Z"));
     CHECK(angle_between(session.towards_sun, direction_of(0.0, 0.0)) < 2.5 * deg);
@@ -201,7 +201,7 @@ TEST_CASE("a time moves sun, moon and stars together, to where a file with that 
     CHECK(stars_of(viewer::scene_of(hidden)).empty());
 }
 
-TEST_CASE("a file that is written anew with ground above the eye lifts it; one that moves the moon moves it") {
+TEST_CASE("a file that is written anew with ground above the eye lifts it, one that moves the moon moves it") {
     const HeightField ground = smooth();
     Session session = *session_of(scene_of(toml), ground);
     HeightField higher = ground;
@@ -355,7 +355,7 @@ TEST_CASE("each edit of a path is in its file at once, is taken back and put bac
     CHECK(read_camera_path(file)->keys.size() == 3);
 }
 
-TEST_CASE("a path that cannot be written is told, kept and written when it can be; a file that is no path is left alone") {
+TEST_CASE("a path that cannot be written is told, kept and written when it can be, a file that is no path is left alone") {
     const TemporaryFolder folder;
     const std::filesystem::path file = folder.path / "later/path.toml";
     PathEdit edit = *PathEdit::open(file);
@@ -392,7 +392,7 @@ TEST_CASE("keys that cannot be written into the path's file are kept in the refu
     CHECK(read_camera_path(file)->keys == edit.keys());
 }
 
-TEST_CASE("what another program writes into a path's file is one more edit; what is no path is not overwritten") {
+TEST_CASE("what another program writes into a path's file is one more edit, what is no path is not overwritten") {
     const TemporaryFolder folder;
     const std::filesystem::path file = folder.path / "path.toml", refuge = folder.path / "state";
     PathEdit edit = *PathEdit::open(file, refuge);

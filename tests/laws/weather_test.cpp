@@ -184,7 +184,7 @@ TEST_CASE("a missing report and a corrected one say so") {
 }
 
 // The psychrometric tables of the WMO guide: 23.37 hPa at 20 deg C, 6.11 at 0, 42.43 at 30; the form is within 0.3 %.
-TEST_CASE("humidity: saturation pressure is the tables' and grows; air at its dew point is saturated") {
+TEST_CASE("humidity: saturation pressure is the tables' and grows, air at its dew point is saturated") {
     CHECK(saturation_vapour_pressure_hpa(20.0) == doctest::Approx(23.37).epsilon(0.003));
     CHECK(saturation_vapour_pressure_hpa(0.0) == doctest::Approx(6.112).epsilon(0.003));
     CHECK(saturation_vapour_pressure_hpa(30.0) == doctest::Approx(42.43).epsilon(0.003));

@@ -141,8 +141,7 @@ double dip(const Atmosphere& air, double altitude_m) { return std::acos(air.bott
 
 }  // namespace
 
-TEST_CASE(
-    "the air by tables is within 5 % of airlight from 0 m to 20 000 km, the sun at 0 to 96 degrees; before surfaces 5 %, in dusk 8 %") {
+TEST_CASE("the air by tables is within 5 % of airlight from 0 m to 20 000 km, the sun at 0 to 96 degrees, before surfaces in dusk 8 %") {
     const GpuCase gpu_case;
     if (!gpu_case) return;
     const Atmosphere atmosphere = *preset("earth-clear");
@@ -230,7 +229,7 @@ TEST_CASE("what older programs of these tables got wrong is right: no noise and 
         }
 }
 
-TEST_CASE("other air is drawn after some pictures, none of which does more than its slices; until then the old one is") {
+TEST_CASE("other air is drawn after some pictures, none of which does more than its slices, until then the old one is") {
     const GpuCase gpu_case;
     if (!gpu_case) return;
     const std::vector<Vec3> colours(wavelengths.size(), Vec3(1.0));

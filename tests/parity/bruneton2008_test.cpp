@@ -149,7 +149,7 @@ TEST_CASE("the GPU fills the tables of bruneton2008 with what the CPU gathers, t
 
 // What leaves at the top of the air, what reaches the ground scattered and what reaches it straight. On a planet so large that the air is
 // flat but for 3 degrees beside the horizon.
-TEST_CASE("air that absorbs nothing, over a black ground, gives back all light; with one order, only what is scattered once") {
+TEST_CASE("air that absorbs nothing, over a black ground, gives back all light, with one order, only what is scattered once") {
     const GpuCase gpu_case;
     if (!gpu_case) return;
     Atmosphere atmosphere = one_gas();

@@ -276,7 +276,7 @@ TEST_CASE("a picture shown with bloom is a blend of itself and its spread light"
     CHECK(linear(63) > linear(32));
 }
 
-TEST_CASE("two pictures stand side by side at their edge; their difference is white where there is none, red and blue at its span") {
+TEST_CASE("two pictures stand side by side at their edge, their difference is white where there is none, red and blue at its span") {
     const GpuCase gpu_case;
     if (!gpu_case) return;
     Image first(8, 2, 3), second(8, 2, 3);

@@ -248,7 +248,7 @@ Vec3 mean_reflectance(const GroundCover& cover) {
 
 }  // namespace
 
-TEST_CASE("the ground varies near and far, and in the mean it reflects what covers it; from afar it does not vary") {
+TEST_CASE("the ground varies near and far, and in the mean it reflects what covers it, from afar it does not vary") {
     const GpuCase gpu_case;
     if (!gpu_case) return;
     const GroundCover cover = rocky_cover(mixed_latitude_deg * deg, mixed_height_m);
@@ -305,7 +305,7 @@ TEST_CASE("a quarter of a pixel changes little of a picture of the ground, looke
 }
 
 // Rocks slope by 0.25, grass by 0.16, along any line: half of each here. Their mean square is that of the slopes' along two lines.
-TEST_CASE("the ground is rough near and far, but level in the mean and from afar; no edge of the cube shows in colours or normals") {
+TEST_CASE("the ground is rough near and far, but level in the mean and from afar, no edge of the cube shows in colours or normals") {
     const GpuCase gpu_case;
     if (!gpu_case) return;
     Ground ground(rocky_ground(100.0));

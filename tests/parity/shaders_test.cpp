@@ -38,7 +38,7 @@ private:
 
 }  // namespace
 
-TEST_CASE("a shader of the source tree is read anew; an error in it, or in what it includes, names the file and the line") {
+TEST_CASE("a shader of the source tree is read anew, an error in it, or in what it includes, names the file and the line") {
     const GpuCase gpu_case;
     if (!gpu_case) return;
     const ShaderTree tree;
