@@ -46,6 +46,9 @@ Result<GroundColour> surface_image(const std::filesystem::path& path) {
                      "Make it smaller with gdal_translate -outsize."};
     pixels.levels.assign(static_cast<std::size_t>(4 * count), 255);
     const int bands = GDALGetRasterCount(dataset.get());
+    if (bands < 3 && GDALGetRasterColorTable(GDALGetRasterBand(dataset.get(), 1)))
+        return Error{name, "its colours are those of a palette: an image has bands of red, green and blue, or of greys.",
+                     "Expand it with: gdal_translate -expand rgb in.png out.png."};
     for (int channel = 0; channel < 3; ++channel) {
         const GDALRasterBandH band = GDALGetRasterBand(dataset.get(), bands >= 3 ? channel + 1 : 1);
         if (GDALRasterIO(band, GF_Read, 0, 0, pixels.width, pixels.height, &pixels.levels[static_cast<std::size_t>(channel)], pixels.width,

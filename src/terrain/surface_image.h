@@ -23,7 +23,8 @@ struct GroundColour {
 };
 
 // An image of three or more bands of 8 bits in sRGB, or one of greys; it is held in memory, 4 bytes a pixel.
-// Fails, naming the path, if the file is missing, is no image, is damaged, is not twice as wide as high, or has more than 2^27 pixels.
+// Fails, naming the path, if the file is missing, is no image, is damaged, has a palette, is not twice as wide as high, or
+// has more than 2^27 pixels.
 Result<GroundColour> surface_image(const std::filesystem::path& path);
 
 }  // namespace airlight

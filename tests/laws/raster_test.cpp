@@ -59,6 +59,21 @@ std::filesystem::path write_raster(const TemporaryFolder& folder, const Written&
     return path;
 }
 
+// An image whose colours are those of a palette.
+std::filesystem::path write_palette(const TemporaryFolder& folder, int columns, int rows) {
+    GDALAllRegister();
+    const std::filesystem::path path = folder.path / "palette.tif";
+    GDALDatasetH made = GDALCreate(GDALGetDriverByName("GTiff"), path.c_str(), columns, rows, 1, GDT_Byte, nullptr);
+    REQUIRE(made);
+    GDALColorTableH colours = GDALCreateColorTable(GPI_RGB);
+    const GDALColorEntry red{255, 0, 0, 255};
+    GDALSetColorEntry(colours, 0, &red);
+    GDALSetRasterColorTable(GDALGetRasterBand(made, 1), colours);
+    GDALDestroyColorTable(colours);
+    GDALClose(made);
+    return path;
+}
+
 double bumps(int x, int y) { return 500.0 * std::sin(0.7 * x) * std::cos(0.5 * y) + 3.0 * y; }
 
 std::string error_of(const std::filesystem::path& path) {
@@ -282,6 +297,7 @@ TEST_CASE("an image of the planet is read pixel by pixel, a wrong one is told") 
     CHECK(says(fails(folder.path / "none.png"), "none.png: there is no such file"));
     CHECK(says(fails(write_raster(folder, {.columns = 9, .rows = 8}, bumps, "square.tif")),
                "9 x 8 pixels: an image of the whole planet is twice as wide as high"));
+    CHECK(says(fails(write_palette(folder, 16, 8)), "its colours are those of a palette"));
 }
 
 TEST_CASE("the whole Earth's elevation stands where it should") {
