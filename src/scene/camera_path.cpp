@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "core/files.h"
+#include "scene/altitude_reader.h"
 #include "scene/scene.h"
 #include "toml/toml_input.h"
 #include "units/text.h"
@@ -16,7 +17,6 @@ namespace airlight {
 
 namespace {
 
-constexpr double farthest_m = 1e9;
 constexpr double logarithmic_from_m = 10.0;
 // Between keys that are farther apart on the sphere, the way would be anything.
 constexpr double farthest_apart = 170.0 * deg;
@@ -26,20 +26,6 @@ void read_within(TomlInput& key, std::string_view name, std::optional<double> va
     if (!value) return;
     if (*value < low || *value > high) key.refuse(name, fmt::format("it must be {}", rule), "");
     else kept = *value;
-}
-
-void read_altitude(TomlInput& key, CameraKey& read) {
-    read.above_ground = key.has("above_ground");
-    if (read.above_ground == key.has("altitude")) {
-        if (read.above_ground) key.refuse("altitude", "above_ground is given as well", "Keep one of them.");
-        else key.refuse_missing("altitude", "Write altitude = \"3 km\" (above 0 m), or above_ground = \"2 m\".");
-        return;
-    }
-    const std::string_view name = read.above_ground ? "above_ground" : "altitude";
-    const double least = read.above_ground ? 0.2 : -1e5;
-    const std::optional<Length> height = key.length(name);
-    read_within(key, name, height ? std::optional(height->in(m)) : std::nullopt, least, farthest_m,
-                fmt::format("from {} m to 1000000 km", least), read.eye.altitude_m);
 }
 
 void read_time(TomlInput& key, CameraKey& read) {
@@ -59,7 +45,7 @@ CameraKey read_key(TomlInput& key) {
                 "from -90 deg to 90 deg", eye.latitude);
     read_within(key, "longitude", key.need(&TomlInput::angle, "longitude", "East is positive: \"8 deg\"."), -180.0 * deg, 360.0 * deg,
                 "from -180 deg to 360 deg", eye.longitude);
-    read_altitude(key, read);
+    read_altitude(key, read.above_ground, read.eye.altitude_m);
     read_within(key, "heading", key.angle("heading"), -360.0 * deg, 360.0 * deg, "from -360 deg to 360 deg", eye.heading);
     read_within(key, "pitch", key.angle("pitch"), -90.0 * deg, 90.0 * deg, "from -90 deg to 90 deg", eye.pitch);
     read_within(key, "field_of_view", key.angle("field_of_view"), 1.0 * deg, 150.0 * deg, "from 1 deg to 150 deg",

@@ -3,14 +3,13 @@
 #include <cmath>
 
 #include "core/files.h"
+#include "scene/altitude_reader.h"
 #include "scene/scene.h"
 #include "toml/toml_input.h"
 
 namespace airlight {
 
 namespace {
-
-constexpr double farthest_m = 1e9;
 
 // A value within a range, or a failure that says the range in the unit of the file.
 void keep_within(TomlInput& table, std::string_view key, std::optional<double> value, double low, double high, std::string_view rule,
@@ -53,19 +52,6 @@ void read_ground(TomlInput& file, Scene& scene, const std::filesystem::path& fol
     ground->refuse_unknown_keys();
 }
 
-void read_altitude(TomlInput& camera, CameraScene& c) {
-    c.above_ground = camera.has("above_ground");
-    if (c.above_ground == camera.has("altitude")) {
-        if (c.above_ground) camera.refuse("altitude", "above_ground is given as well", "Keep one of them.");
-        else camera.refuse_missing("altitude", "Write altitude = \"3 km\" (above 0 m), or above_ground = \"2 m\".");
-        return;
-    }
-    const std::string_view key = c.above_ground ? "above_ground" : "altitude";
-    const double least = c.above_ground ? 0.2 : -1e5;
-    keep_within(camera, key, metres(camera.length(key)), least, farthest_m, fmt::format("from {} m to 1000000 km", least),
-                c.viewpoint.altitude_m);
-}
-
 void read_camera(TomlInput& file, Scene& scene) {
     auto camera = file.table("camera");
     if (!camera) {
@@ -80,7 +66,7 @@ void read_camera(TomlInput& file, Scene& scene) {
     keep_within(*camera, "latitude", camera->angle("latitude"), -90.0 * deg, 90.0 * deg, "from -90 deg to 90 deg", c.viewpoint.latitude);
     keep_within(*camera, "longitude", camera->angle("longitude"), -180.0 * deg, 360.0 * deg, "from -180 deg to 360 deg",
                 c.viewpoint.longitude);
-    read_altitude(*camera, c);
+    read_altitude(*camera, c.above_ground, c.viewpoint.altitude_m);
     keep_within(*camera, "heading", camera->angle("heading"), -360.0 * deg, 360.0 * deg, "from -360 deg to 360 deg", c.viewpoint.heading);
     keep_within(*camera, "pitch", camera->angle("pitch"), -90.0 * deg, 90.0 * deg, "from -90 deg to 90 deg", c.viewpoint.pitch);
     keep_within(*camera, "field_of_view", camera->angle("field_of_view"), 1.0 * deg, 150.0 * deg, "from 1 deg to 150 deg",
