@@ -44,6 +44,7 @@ constexpr Number pi = Number(3.14159265358979323846);
 #define FN AIRLIGHT_INLINE
 // In the order in which they use each other.
 // clang-format off
+#include "physics/angle.glsl"
 #include "physics/models/perez.glsl"
 #include "physics/models/cie2003.glsl"
 #include "physics/models/preetham1999.glsl"

@@ -44,8 +44,8 @@ Result<std::unique_ptr<AirMethod>> airlight_air(const Tables& tables, std::span<
     Result<gpu::Program> march = compute_program("air_airlight.comp");
     if (!march) return march.error();
     march->bind_block("AirlightBlock", airlight_block_binding);
-    return std::unique_ptr<AirMethod>(std::make_unique<AirOfRays<AirWavelengths>>(
-        *std::move(march), air_wavelengths(tables, colours, nodes_per_piece), grid_of(tables, colours)));
+    return AirOfRays<AirWavelengths>::create(*std::move(march), air_wavelengths(tables, colours, nodes_per_piece),
+                                             grid_of(tables, colours));
 }
 
 }  // namespace airlight::render

@@ -154,8 +154,7 @@ Result<std::unique_ptr<AirMethod>> hillaire2020_air(const ColouredAir& air) {
     Result<gpu::Program> march = compute_program("air_hillaire2020.comp");
     if (!march) return march.error();
     const Packs packs = packs_of(air);
-    return std::unique_ptr<AirMethod>(
-        std::make_unique<AirOfRays<Group>>(*std::move(march), groups_of(packs, air.colours), grid_of(packs, air)));
+    return AirOfRays<Group>::create(*std::move(march), groups_of(packs, air.colours), grid_of(packs, air));
 }
 
 }  // namespace airlight::render

@@ -47,7 +47,7 @@ Result<AirPass> AirPass::create(const ColouredAir& air, std::unique_ptr<AirMetho
                     .moon = {},
                     .eclipse = {}};
     AirPass pass(std::move(method), view, air.atmosphere);
-    if (const Result<Done> made = pass.use_program(true); !made) return made.error();
+    if (const Result<Done> made = pass.use_program(Part::surfaces, true); !made) return made.error();
     return pass;
 }
 
@@ -76,19 +76,20 @@ void AirPass::prepare(const Camera& camera, Vec3 towards_sun, gpu::PassTimers& t
     method_->prepare({altitude_m, glm::dot(camera.eye, towards_sun) / radius_m}, timers);
 }
 
-Result<Done> AirPass::use_program(bool water) {
-    const bool moon = view_.moon[3] > 0.0f;
-    std::optional<gpu::Program>& of_picture = programs_[water][moon];
-    if (!of_picture) {
+Result<Done> AirPass::use_program(Part part, bool water) {
+    const bool surfaces = part == Part::surfaces, wet = surfaces && water, moon = view_.moon[3] > 0.0f;
+    std::optional<gpu::Program>& of_part = programs_[surfaces][wet][moon];
+    if (!of_part) {
         std::vector<std::string_view> lacks;
-        if (!water) lacks.push_back("AIR_WITHOUT_WATER");
+        if (!surfaces) lacks.push_back("AIR_WITHOUT_SURFACES");
+        if (!wet) lacks.push_back("AIR_WITHOUT_WATER");
         if (!moon) lacks.push_back("AIR_WITHOUT_MOON");
         Result<gpu::Program> made = program("fullscreen.vert", method_->shader(), lacks);
         if (!made) return made.error();
         made->bind_block("AirlightBlock", airlight_block_binding);
-        of_picture.emplace(*std::move(made));
+        of_part.emplace(*std::move(made));
     }
-    of_picture->use();
+    of_part->use();
     return Done{};
 }
 
@@ -108,23 +109,28 @@ Result<Done> AirPass::draw_pictures(const GeometryBuffer& surfaces, const gpu::T
     view_.shell[2] = background ? 1.0f : 0.0f;
     view_block_.write(std::as_bytes(std::span(&view_, 1)));
     view_block_.bind_uniform(view_binding);
-    if (const Result<Done> used = use_program(water); !used) return used.error();
     unsigned binding = 0;
     for (const gpu::Texture* texture : {&surfaces.depth(), &surfaces.colour(), &surfaces.normal(), &surfaces.material()})
         texture->bind_sampler(binding++);
     (background ? *background : lit_).bind_sampler(4);
     covered_sun_.bind_sampler(5);
     (shade ? *shade : lit_).bind_sampler(7);
-    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
     for (int picture = 0; picture < method_->pictures(); ++picture) {
         method_->bind(picture);
-        triangle_.draw_triangles(3);
+        for (const Part part : {Part::surfaces, Part::rest}) {
+            if (const Result<Done> used = use_program(part, water); !used) return used.error();
+            glDepthFunc(part == Part::surfaces ? GL_LESS : GL_EQUAL);  // of the triangle's depth, 0: of nothing
+            triangle_.draw_triangles(3);
+        }
         if (!glIsEnabled(GL_BLEND)) {  // the next adds to it
             glBlendFunc(GL_ONE, GL_ONE);
             glEnable(GL_BLEND);
         }
     }
     glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
     return Done{};
 }
 

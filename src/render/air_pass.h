@@ -26,9 +26,10 @@ public:
     // Makes the tables of the frame that draw() draws. Binds framebuffers of its own. `eclipse`: what takes sunlight from the planet.
     void prepare(const Camera& camera, Vec3 towards_sun, gpu::PassTimers& timers, const std::optional<Eclipse>& eclipse = {});
 
-    // Draws into the bound framebuffer, whose colours are floats: red, green and blue; alpha means nothing. A CameraBlock of the same
-    // camera is bound. Hues beyond the triangle of the primaries have negative parts. `shade`: of ShaftsPass, where anything casts a
-    // shadow. `background`: of BackgroundPass, what stands above the air. `water`: whether there may be any, which costs a third more.
+    // Draws into the bound framebuffer, whose colours are floats: red, green and blue; alpha means nothing. Its depth is that of
+    // `surfaces`, and stays. A CameraBlock of the same camera is bound. Hues beyond the triangle of the primaries have negative parts.
+    // `shade`: of ShaftsPass, where anything casts a shadow. `background`: of BackgroundPass, what stands above the air. `water`: whether
+    // there may be any, which costs a fifth more.
     // Fails if the method's shader cannot be compiled.
     Result<Done> draw(const GeometryBuffer& surfaces, const gpu::Texture* shade = nullptr, const gpu::Texture* background = nullptr,
                       bool water = true);
@@ -44,12 +45,13 @@ private:
         Four eye_up, towards_sun, shell, colour_of_sun, limb_darkening_1, limb_darkening_2, ground_albedo, moon, eclipse;
     };
     AirPass(std::unique_ptr<AirMethod> method, const View& view, Atmosphere atmosphere);
-    Result<Done> use_program(bool water);
+    enum class Part { surfaces, rest };  // what the geometry buffer holds; the sky and the ground sphere
+    Result<Done> use_program(Part part, bool water);
     Result<Done> draw_pictures(const GeometryBuffer& surfaces, const gpu::Texture* shade, const gpu::Texture* background, bool water);
 
-    // Drivers that draw on the CPU work off both branches everywhere: what a picture lacks is left out of the text. By whether there is
-    // water and a moon before the sun; each is compiled when a picture needs it.
-    std::array<std::array<std::optional<gpu::Program>, 2>, 2> programs_;
+    // Drivers that draw on the CPU work off both branches everywhere: what a part of a picture lacks is left out of its text. By whether
+    // there are surfaces, water, and a moon before the sun; each is compiled when a picture needs it.
+    std::array<std::array<std::array<std::optional<gpu::Program>, 2>, 2>, 2> programs_;
     std::unique_ptr<AirMethod> method_;
     View view_;
     Atmosphere atmosphere_;

@@ -23,15 +23,16 @@ constexpr AirRayGrid::Grid AirRayGrid::space_grid{.sky_rows = 48, .ground_rows =
 
 namespace {
 
-constexpr std::size_t most_segments = 10;
+constexpr std::size_t most_sky_segments = 9;
 constexpr unsigned rays_binding = 4, ways_binding = 5, share_binding = 6, peak_in_march = first_method_texture + 5;
-constexpr unsigned group_width = 8, group_height = 2;
+constexpr unsigned group_width = 8, group_height = 2, sky_group_width = 8, sky_group_height = 8;
+constexpr int kept_sky_rows = 64, sky_parts = 2, ray_parts = 4;  // as air_rays.glsl has them
 
 // std140: `uniform AirRays`.
 struct RaysBlock {
     std::array<int, 4> counts{};
-    Four eye{};
-    std::array<Four, most_segments> segments{};
+    Four eye{}, ground{};
+    std::array<Four, most_sky_segments> sky_segments{};
 };
 
 // std140: `uniform AirShare`.
@@ -44,8 +45,8 @@ float as_float(double x) { return static_cast<float>(x); }
 
 bool has_peak(const AirOptics::Part& part) { return part.scatters && !part.phase.is_rayleigh(); }
 
-// The mean phase function of all that has a peak, by its share of scattered sunlight: four floats a texel, even in the root of the
-// scattering angle.
+// The mean phase function of all that has a peak, by its share of scattered sunlight: four floats a texel, even in the root of the sine of
+// half the scattering angle.
 std::vector<float> reference_phase(const std::vector<AirOptics>& packs) {
     constexpr int samples = 1024;
     std::vector<double> sum(samples, 0.0);
@@ -61,7 +62,7 @@ std::vector<float> reference_phase(const std::vector<AirOptics>& packs) {
             }
             for (int k = 0; k < samples; ++k) {
                 const double x = static_cast<double>(k) / (samples - 1);
-                const f64::PhaseSpectrum phase = part.phase.at(std::cos(pi * x * x));
+                const f64::PhaseSpectrum phase = part.phase.at(1.0 - 2.0 * x * x * x * x);
                 for (int w = 0; w < pack_size; ++w) sum[static_cast<std::size_t>(k)] += share[static_cast<std::size_t>(w)] * phase[w].value;
             }
         }
@@ -71,6 +72,11 @@ std::vector<float> reference_phase(const std::vector<AirOptics>& packs) {
         texels.insert(texels.end(), {phase, phase, phase, 1.0f});
     }
     return texels;
+}
+
+// Filtered places at the edge of what a grid fills have a share of 0 of what lies beyond, which must be a number.
+gpu::Texture of_zeros(gpu::TextureSize size) {
+    return gpu::Texture(size, std::vector<float>(static_cast<std::size_t>(4 * size.width * size.height * std::max(size.depth, 1)), 0.0f));
 }
 
 gpu::Texture texture_of_row(const std::vector<float>& texels) { return gpu::Texture({static_cast<int>(texels.size()) / 4, 1}, texels); }
@@ -123,17 +129,15 @@ unsigned groups_of(int texels, unsigned size) { return (static_cast<unsigned>(te
 
 AirRayGrid::AirRayGrid(const Air& air, std::span<const double> jumps_m, const PackLight& sunlight, const PackLight& skylight)
     : shell_{air.packs[0].bottom_radius.value, air.packs[0].top_altitude.value},
-      jumps_m_(jumps_m.begin(), jumps_m.begin() + static_cast<std::ptrdiff_t>(std::min(jumps_m.size(), most_segments - 2))),
+      jumps_m_(jumps_m.begin(), jumps_m.begin() + static_cast<std::ptrdiff_t>(std::min(jumps_m.size(), most_sky_segments - 1))),
       peak_(texture_of_row(reference_phase(air.packs))),
       sunlight_(colour_table(air, sunlight_cosines, sunlight_altitudes, sunlight)),
       skylight_(colour_table(air, skylight_suns, 1, skylight)),
       rays_(sizeof(RaysBlock)),
       ways_(sizeof(Four) * static_cast<std::size_t>(most_rows())),
       shares_(shares_of(air.packs)),
-      smooth_(gpu::TextureSize{space_grid.azimuths, most_rows(), shadow_grid.layers + 1}),
-      peaked_(smooth_.size()),
-      extinction_(smooth_.size()),
-      once_(smooth_.size()) {}
+      gathered_(of_zeros({ray_parts * space_grid.azimuths, most_rows(), shadow_grid.layers + 1})),
+      sky_(of_zeros({sky_parts * space_grid.azimuths, kept_sky_rows})) {}
 
 const AirRayGrid::Grid& AirRayGrid::grid_of(Length altitude, double sun_zenith) const {
     if (altitude.value > shell_.top_m) return space_grid;
@@ -150,16 +154,19 @@ int AirRayGrid::most_rows() const {
 void AirRayGrid::write_rays(const AirEye& eye, const DomeRows& rows, const Grid& grid) const {
     RaysBlock block;
     const double h = std::max(eye.altitude_m, DomeRows::lowest_eye_m);
-    block.counts = {static_cast<int>(rows.segments().size()), grid.azimuths, rows.size(), grid.layers};
-    block.eye = {as_float(h), as_float(std::sqrt(h * (2.0 * shell_.bottom_m + h))), as_float(std::min(h / shell_.top_m, 1.0)),
-                 as_float(eye.mu_s)};
-    std::vector<Four> ways;
-    for (std::size_t s = 0; s < rows.segments().size(); ++s) {
+    const double horizon_m = std::sqrt(h * (2.0 * shell_.bottom_m + h));
+    const DomeRows::Segment& ground = rows.segments().back();
+    block.counts = {ground.first, grid.azimuths, rows.size(), grid.layers};
+    block.eye = {as_float(h), as_float(std::min(h / shell_.top_m, 1.0)), as_float(eye.mu_s), 0.0f};
+    block.ground = {as_float(std::log(horizon_m)), as_float(0.5 / std::log(horizon_m / h)), as_float(ground.from),
+                    as_float(0.5 / (ground.to - ground.from))};
+    block.sky_segments.fill({4.0f, 5.0f, 0.0f, 0.0f});
+    for (std::size_t s = 0; s + 1 < rows.segments().size(); ++s) {
         const DomeRows::Segment& segment = rows.segments()[s];
-        block.segments[s] = {as_float(segment.from), as_float(segment.to), as_float(segment.first), as_float(segment.count)};
-        for (int i = 0; i < segment.count; ++i)
-            ways.push_back(way_of(shell_, h, rows.zenith(segment.first + i), s + 1 == rows.segments().size()));
+        block.sky_segments[s] = {as_float(segment.from), as_float(segment.to), as_float(segment.first), as_float(segment.count)};
     }
+    std::vector<Four> ways;
+    for (int row = 0; row < rows.size(); ++row) ways.push_back(way_of(shell_, h, rows.zenith(row), row >= ground.first));
     rays_.write(std::as_bytes(std::span(&block, 1)));
     ways_.write(std::as_bytes(std::span(ways)));
 }
@@ -172,8 +179,7 @@ void AirRayGrid::march(const AirEye& eye, const gpu::Program& program, const std
     rays_.bind_uniform(rays_binding);
     ways_.bind_storage(ways_binding);
     peak_.bind_sampler(peak_in_march);
-    unsigned image = 0;
-    for (const gpu::Texture* texture : {&smooth_, &peaked_, &extinction_, &once_}) texture->bind_image(image++);
+    gathered_.bind_image(0);
     program.use();
     for (std::size_t g = 0; g < shares_.size(); ++g) {
         bind(g);
@@ -182,11 +188,17 @@ void AirRayGrid::march(const AirEye& eye, const gpu::Program& program, const std
     }
 }
 
+void AirRayGrid::keep_sky(const gpu::Program& program) const {
+    bind();
+    sky_.bind_image(0);
+    program.use();
+    program.dispatch(groups_of(space_grid.azimuths, sky_group_width), groups_of(kept_sky_rows, sky_group_height));
+}
+
 void AirRayGrid::bind() const {
     rays_.bind_uniform(rays_binding);
     unsigned binding = first_method_texture;
-    for (const gpu::Texture* texture : {&smooth_, &peaked_, &extinction_, &peak_, &sunlight_, &skylight_, &once_})
-        texture->bind_sampler(binding++);
+    for (const gpu::Texture* texture : {&gathered_, &peak_, &sunlight_, &skylight_, &sky_}) texture->bind_sampler(binding++);
 }
 
 }  // namespace airlight::render

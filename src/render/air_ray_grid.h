@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +16,7 @@
 #include "gpu/texture.h"
 #include "physics/f32.h"
 #include "render/air_method.h"
+#include "render/shaders.h"
 #include "sky/dome_rows.h"
 #include "transport/air_optics.h"
 
@@ -39,6 +41,9 @@ public:
     // bind(group).
     void march(const AirEye& eye, const gpu::Program& program, const std::function<void(std::size_t)>& bind) const;
 
+    // Keeps the sky that was gathered, by the program air_sky.comp.
+    void keep_sky(const gpu::Program& program) const;
+
     // For air_lookup.frag.
     void bind() const;
 
@@ -54,7 +59,7 @@ private:
     gpu::Texture peak_, sunlight_, skylight_;
     gpu::Buffer rays_, ways_;
     std::vector<gpu::Buffer> shares_;  // of each group
-    gpu::Texture smooth_, peaked_, extinction_, once_;
+    gpu::Texture gathered_, sky_;
 };
 
 // A method of air that gathers the light of such rays by its own program. `Group`: what the program reads for four wavelengths, which it
@@ -62,14 +67,18 @@ private:
 template <class Group>
 class AirOfRays : public AirMethod {
 public:
-    AirOfRays(gpu::Program march, std::vector<Group> groups, AirRayGrid grid)
-        : march_(std::move(march)), groups_(std::move(groups)), grid_(std::move(grid)) {}
+    static Result<std::unique_ptr<AirMethod>> create(gpu::Program march, std::vector<Group> groups, AirRayGrid grid) {
+        Result<gpu::Program> sky = compute_program("air_sky.comp");
+        if (!sky) return sky.error();
+        return std::unique_ptr<AirMethod>(new AirOfRays(std::move(march), *std::move(sky), std::move(groups), std::move(grid)));
+    }
 
     std::string shader() const override { return "air_lookup.frag"; }
     void prepare(const AirEye& eye, gpu::PassTimers& timers) override {
         const auto pass = timers.time("air rays");
         if (const AirEye at = settled(eye); gathered_ != at) {
             grid_.march(at, march_, [&](std::size_t group) { groups_[group].bind(); });
+            grid_.keep_sky(sky_);
             gathered_ = at;
         }
     }
@@ -77,7 +86,10 @@ public:
     void bind(int) const override { grid_.bind(); }
 
 private:
-    gpu::Program march_;
+    AirOfRays(gpu::Program march, gpu::Program sky, std::vector<Group> groups, AirRayGrid grid)
+        : march_(std::move(march)), sky_(std::move(sky)), groups_(std::move(groups)), grid_(std::move(grid)) {}
+
+    gpu::Program march_, sky_;
     std::vector<Group> groups_;
     AirRayGrid grid_;
     std::optional<AirEye> gathered_;

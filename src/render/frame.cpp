@@ -45,7 +45,7 @@ Result<Frame> Frame::create(const gpu::Context& context, const HeightField& grou
     Result<GeometryBuffer> surfaces = GeometryBuffer::create(like.width, like.height);
     if (!surfaces) return surfaces.error();
     gpu::Texture radiance({like.width, like.height});
-    Result<gpu::Framebuffer> target = gpu::Framebuffer::create({&radiance});
+    Result<gpu::Framebuffer> target = gpu::Framebuffer::create({&radiance}, &surfaces->depth());
     if (!target) return target.error();
     return Frame(context, std::move(*terrain), std::move(*looks), std::move(*light), std::move(air), std::move(*shadows), std::move(shafts),
                  std::move(*background), std::move(*surfaces), std::move(radiance), std::move(*target));

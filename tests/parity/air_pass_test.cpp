@@ -102,7 +102,7 @@ void main() {
 private:
     Result<render::GeometryBuffer> surfaces_ = render::GeometryBuffer::create(width, height);
     gpu::Texture radiance_{{width, height}};
-    Result<gpu::Framebuffer> target_ = gpu::Framebuffer::create({&radiance_});
+    Result<gpu::Framebuffer> target_ = gpu::Framebuffer::create({&radiance_}, &surfaces_->depth());
     render::CameraBlock camera_block_;
     gpu::VertexArray triangle_;
     std::optional<gpu::Program> wall_;
@@ -450,7 +450,7 @@ private:
     double bottom_m_;
     Result<render::GeometryBuffer> surfaces_ = render::GeometryBuffer::create(width, height);
     gpu::Texture radiance_{{width, height}};
-    Result<gpu::Framebuffer> target_ = gpu::Framebuffer::create({&radiance_});
+    Result<gpu::Framebuffer> target_ = gpu::Framebuffer::create({&radiance_}, &surfaces_->depth());
     render::CameraBlock camera_block_;
     gpu::VertexArray triangle_;
     std::optional<gpu::Program> program_;

@@ -168,7 +168,7 @@ private:
     render::GeometryBuffer ground_ = must(render::GeometryBuffer::create(width(), height())),
                            surfaces_ = must(render::GeometryBuffer::create(width(), height()));
     gpu::Texture radiance_{{width(), height()}};
-    gpu::Framebuffer target_ = must(gpu::Framebuffer::create({&radiance_}));
+    gpu::Framebuffer target_ = must(gpu::Framebuffer::create({&radiance_}, &surfaces_.depth()));
     render::CameraBlock camera_;
     gpu::VertexArray triangle_;
     std::optional<gpu::Program> black_;

@@ -12,7 +12,8 @@
 //   vec3 colour_of(AirLight light)                       red, green and blue
 //   vec3 colour_through(vec3 colour, AirLight seen)      what is left of light of a colour and the sun's spectrum
 //
-// Pictures without an eclipse define AIR_WITHOUT_MOON, those without water AIR_WITHOUT_WATER.
+// What the geometry buffer holds and the rest, which is the sky and the ground sphere, are drawn by programs of their own; that of the rest
+// defines AIR_WITHOUT_SURFACES. Pictures without an eclipse define AIR_WITHOUT_MOON, those without water AIR_WITHOUT_WATER.
 //
 // Where a method draws several times, each with a share of the wavelengths, its pictures add up.
 #include "camera.glsl"
@@ -27,7 +28,7 @@ layout(binding = 7) uniform sampler2D shade_buffer;  // src/render/shafts_pass.h
 layout(location = 0) in vec2 place;
 layout(location = 0) out vec4 radiance;
 
-// What is seen at a pixel: of the geometry buffer, or the ground sphere, or nothing.
+// What is seen at a pixel, if it is not the sky.
 struct Surface {
     bool there;
     vec3 position;  // from the eye
@@ -38,24 +39,27 @@ struct Surface {
 };
 
 Surface surface_at(ivec2 pixel, vec3 direction) {
+    float h = max(eye_up.w, 0.0), mu = dot(direction, eye_up.xyz);
     Surface surface;
-    vec4 colour = texelFetch(colour_buffer, pixel, 0);
-    surface.there = colour.a > 0.0;
-    surface.reflectance = colour.rgb;
+#ifdef AIR_WITHOUT_SURFACES
+    surface.there = meets_ground(h, mu, air_shell.x);
+    surface.position = surface.there ? direction * distance_to_ground(h, mu, air_shell.x) : vec3(0.0);
+#else
+    surface.there = true;
+    surface.position = position_at(place, texelFetch(depth_buffer, pixel, 0).r);
+#endif
+    surface.up = normalize(eye_up.xyz * (air_shell.x + h) + surface.position);
+#ifdef AIR_WITHOUT_SURFACES
+    surface.h = 0.0;
+    surface.reflectance = ground_albedo.rgb;
+    surface.normal = surface.up;
+    surface.material = vec2(1.0, 0.0);
+#else
+    surface.h = max(altitude_at(h, mu, length(surface.position), air_shell.x), 0.0);
+    surface.reflectance = texelFetch(colour_buffer, pixel, 0).rgb;
     surface.normal = from_octahedral(texelFetch(normal_buffer, pixel, 0).rg);
     surface.material = texelFetch(material_buffer, pixel, 0).rg;
-    surface.position = surface.there ? position_at(place, texelFetch(depth_buffer, pixel, 0).r) : vec3(0.0);
-    float h = max(eye_up.w, 0.0), mu = dot(direction, eye_up.xyz);
-    bool sphere = !surface.there && meets_ground(h, mu, air_shell.x);
-    if (sphere) surface.position = direction * distance_to_ground(h, mu, air_shell.x);
-    surface.up = normalize(eye_up.xyz * (air_shell.x + h) + surface.position);
-    surface.h = max(altitude_at(h, mu, length(surface.position), air_shell.x), 0.0);
-    if (sphere) {
-        surface.there = true;
-        surface.reflectance = ground_albedo.rgb;
-        surface.normal = surface.up;
-        surface.material = vec2(1.0, 0.0);
-    }
+#endif
     return surface;
 }
 

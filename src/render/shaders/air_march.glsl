@@ -7,11 +7,8 @@
 //   Colours colours_of(Way way, Gathered g)
 #include "air_rays.glsl"
 layout(local_size_x = 8, local_size_y = 2) in;
-layout(binding = 0, rgba32f) uniform image3D smooth_light;
-layout(binding = 1, rgba32f) uniform image3D peaked_light;
-layout(binding = 2, rgba32f) uniform image3D extinction;
-layout(binding = 3, rgba32f) uniform image3D once_share;
-layout(binding = 13) uniform sampler2D peak;  // the reference phase function of what has a peak, even in the root of the scattering angle
+layout(binding = 0, rgba32f) uniform image3D rays;
+layout(binding = 13) uniform sampler2D peak;  // the reference phase function of what has a peak, by peak_coordinate
 layout(std430, binding = 5) readonly buffer AirWays {
     vec4 ways[];  // of each row: zenith cosine at the eye, and where the ray enters the air; empty way before it; length in the air, negative
                   // if the ground ends it

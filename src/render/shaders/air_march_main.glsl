@@ -1,7 +1,7 @@
 // The rest of a program that marches: air_march.glsl.
 Way way_of(int row, int azimuth) {
     vec4 w = ways[row];
-    float bottom = air_shell.x, h = ray_eye.x, mu_s = ray_eye.w;
+    float bottom = air_shell.x, h = ray_eye.x, mu_s = ray_eye.z;
     float cos_azimuth = azimuth_cosine_of_coordinate(float(azimuth) / float(ray_counts.y - 1));
     Way way;
     way.nu = clamp(w.x * mu_s + sqrt(max((1.0 - w.x * w.x) * (1.0 - mu_s * mu_s), 0.0)) * cos_azimuth, -1.0, 1.0);
@@ -17,13 +17,16 @@ Way way_of(int row, int azimuth) {
 // Adds these wavelengths' share of a texel. The last one makes of the sums what interpolates well: light over the share of light that
 // the way takes, in units of a scale whose logarithm is kept, since twilight fades by powers of ten; and the mean extinction.
 void keep(ivec3 texel, Way way, float distance, Colours light) {
-    float x = texture_coordinate(sqrt(way.angle / pi), textureSize(peak, 0).x);
+    float x = peak_coordinate(sin(0.5 * way.angle), textureSize(peak, 0).x);
     vec3 once = light.once, even = once + light.more, peaks = light.peaks / look_up(peak, vec2(x, 0.5)).r, taken = light.taken;
+    ivec3 next = ivec3(imageSize(rays).x / ray_parts, 0, 0);
+    ivec3 smooth_texel = texel + ray_smooth * next, peaked_texel = texel + ray_peaked * next;
+    ivec3 extinction_texel = texel + ray_extinction * next, once_texel = texel + ray_once * next;
     if (share.x == 0) {
-        even += imageLoad(smooth_light, texel).rgb;
-        peaks += imageLoad(peaked_light, texel).rgb;
-        taken += imageLoad(extinction, texel).rgb;
-        once += imageLoad(once_share, texel).rgb;
+        even += imageLoad(rays, smooth_texel).rgb;
+        peaks += imageLoad(rays, peaked_texel).rgb;
+        taken += imageLoad(rays, extinction_texel).rgb;
+        once += imageLoad(rays, once_texel).rgb;
     }
     float scale = 0.0;
     if (share.y == 1) {
@@ -37,10 +40,10 @@ void keep(ivec3 texel, Way way, float distance, Colours light) {
         peaks /= some * brightest;
         taken = mix(-log(max(1.0 - taken, vec3(1e-6))), taken * (1.0 + 0.5 * taken), lessThan(taken, vec3(1e-3))) / distance;
     }
-    imageStore(smooth_light, texel, vec4(even, scale));
-    imageStore(peaked_light, texel, vec4(peaks, 0.0));
-    imageStore(extinction, texel, vec4(taken, 0.0));
-    imageStore(once_share, texel, vec4(once, 0.0));
+    imageStore(rays, smooth_texel, vec4(even, scale));
+    imageStore(rays, peaked_texel, vec4(peaks, 0.0));
+    imageStore(rays, extinction_texel, vec4(taken, 0.0));
+    imageStore(rays, once_texel, vec4(once, 0.0));
 }
 
 void main() {

@@ -51,7 +51,9 @@ SurfaceLight surface_light(vec3 reflectance, vec2 material, vec3 n, vec3 up, vec
     SurfaceLight light;
     float facing = max(dot(n, to_sun), 0.0);
     light.of_sun = reflectance / pi * facing;
+#ifndef AIR_WITHOUT_WATER
     if (material.g > 0.0 && dot(up, to_sun) > 0.0) light.of_sun += vec3(material.g * glint(n, up, view, to_sun, material.r));
+#endif
     light.of_sky = reflectance / pi * (0.5 + 0.5 * dot(n, up));
     return light;
 }
