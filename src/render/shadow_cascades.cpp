@@ -1,6 +1,7 @@
 #include "render/shadow_cascades.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "terrain/tile.h"
@@ -12,6 +13,9 @@ namespace {
 constexpr double first_m = 64.0, ratio = 4.0;
 // Of a filter's reach: on each side of the square.
 constexpr int margin_texels = 4;
+
+// A ninth of the sun's disk, as an angle.
+constexpr double penumbra_share = 1e-3;
 
 // The smallest ball about a point of the view's axis that holds what lies between two distances from the eye and within `angle` of it.
 struct Ball {
@@ -44,7 +48,6 @@ Cascade cascade_of(int level, double to_m, const Camera& camera, const LightAxes
     const Vec3 middle = camera.eye + ball.along_m * camera.forward;
     const Vec3 centre =
         nearest_multiple(Vec3(glm::dot(middle, axes.right), glm::dot(middle, axes.up), glm::dot(middle, axes.towards_sun)), step);
-    const double reach = ball.radius_m + 0.5 * step;
     return {level,
             from_m,
             to_m,
@@ -52,8 +55,8 @@ Cascade cascade_of(int level, double to_m, const Camera& camera, const LightAxes
             centre,
             0.5 * texels * texel,
             texel,
-            centre.z - reach - texel,
-            centre.z + reach + caster_m};
+            centre.z - 0.5 * texels * texel,
+            centre.z + 0.5 * texels * texel + caster_m};
 }
 
 }  // namespace
@@ -80,16 +83,19 @@ std::vector<Cascade> cascades(const Camera& camera, const LightAxes& axes, const
     return all;
 }
 
-std::array<HalfSpace, 5> casters_within(const Cascade& c, const LightAxes& axes) {
+PatchChoice casters_of(const Cascade& c, const LightAxes& axes, const HeightField& field) {
     const auto from = [](Vec3 axis, double least) { return HalfSpace{axis, axis * least}; };
-    return {from(axes.right, c.centre.x - c.half_width_m), from(-axes.right, -c.centre.x - c.half_width_m),
-            from(axes.up, c.centre.y - c.half_width_m), from(-axes.up, -c.centre.y - c.half_width_m), from(axes.towards_sun, c.lowest_m)};
-}
-
-int finest_level(const Cascade& c, double radius_m) {
-    int level = 0;
-    while (level < deepest_level && spacing_m(level, radius_m) > c.texel_m) ++level;
-    return level;
+    const std::array<HalfSpace, 5> column = {from(axes.right, c.centre.x - c.half_width_m), from(-axes.right, -c.centre.x - c.half_width_m),
+                                             from(axes.up, c.centre.y - c.half_width_m), from(-axes.up, -c.centre.y - c.half_width_m),
+                                             from(axes.towards_sun, c.lowest_m)};
+    const double texel_m = c.texel_m, top_m = c.centre.z + c.half_width_m;
+    return {.culled = [column](const NodeBounds& b) { return outside(b, column); },
+            .fine_enough =
+                [&field, texel_m, top_m, towards_sun = axes.towards_sun](const Node& node, const NodeBounds& b) {
+                    const double spacing = spacing_m(node.level, field.radius_m), above = -farthest_along(b, -towards_sun) - top_m;
+                    return spacing <= texel_m ||
+                           error_m(field, spacing, b.radii_m.high - b.radii_m.low) <= std::max(0.5 * texel_m, penumbra_share * above);
+                }};
 }
 
 }  // namespace airlight::render

@@ -2,11 +2,10 @@
 // [Engel2006; Valient2008]. docs/decisions/0013-shadows.md. Uses camera and terrain; knows no GPU.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "camera/camera.h"
-#include "terrain/node_bounds.h"
+#include "terrain/quadtree.h"
 
 namespace airlight::render {
 
@@ -28,7 +27,7 @@ struct Cascade {
     Vec3 centre;          // of the square, and of those points
     double half_width_m;  // of the square
     double texel_m;
-    double lowest_m, highest_m;  // along the light: all of those points, and all ground between them and the sun
+    double lowest_m, highest_m;  // along the light: half of the square's width below its centre; no ground before the sun is higher
 
     friend bool operator==(const Cascade&, const Cascade&) = default;
 };
@@ -43,10 +42,10 @@ inline constexpr int most_cascades = 8;
 // apart: so that they stay while the camera moves less.
 std::vector<Cascade> cascades(const Camera& camera, const LightAxes& axes, const HeightField& field, int texels);
 
-// What may shade a point of a cascade: the column of its square, from its least height on.
-std::array<HalfSpace, 5> casters_within(const Cascade& cascade, const LightAxes& axes);
-
-// The deepest level of patches that a cascade's texels can tell from the next.
-int finest_level(const Cascade& cascade, double radius_m);
+// What may shade a point of a cascade, as fine as its map can show: the ground in the column of its square, from its least height on. Patches
+// are left coarser than the eye's where what they leave out is half a texel, or, towards the sun from the cascade, a ninth of the sun's
+// disk as it is seen from there: finer edges drown in the penumbra. Patches of different levels may leave gaps between them, but no light comes
+// through: it would meet the ground where it leaves it. `field` outlives the answer.
+PatchChoice casters_of(const Cascade& cascade, const LightAxes& axes, const HeightField& field);
 
 }  // namespace airlight::render

@@ -93,8 +93,7 @@ void ShadowPass::draw_map(TerrainPass& terrain, const Camera& camera, const Casc
     glEnable(GL_DEPTH_CLAMP);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(slope_bias, 0.0f);
-    patches_ +=
-        terrain.draw_depths(cascade.eye, casters_within(cascade, axes_), finest_level(cascade, terrain.quadtree().field().radius_m));
+    patches_ += terrain.draw_depths(cascade.eye, casters_of(cascade, axes_, terrain.quadtree().field()));
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_DEPTH_CLAMP);
     glDisable(GL_DEPTH_TEST);

@@ -81,8 +81,8 @@ void TerrainPass::draw(const Camera& camera, Culling culling) {
               })};
 }
 
-std::size_t TerrainPass::draw_depths(Vec3 eye, std::span<const HalfSpace> within, int finest) {
-    const Selection selection = tree_.select(eye, within, finest);
+std::size_t TerrainPass::draw_depths(Vec3 eye, const PatchChoice& choice) {
+    const Selection selection = tree_.select(eye, choice);
     shadow_program_.use();
     draw_patches(selection.nodes);
     return selection.nodes.size();

@@ -34,9 +34,9 @@ public:
     // begun, and a CameraBlock of the same camera is bound.
     void draw(const Camera& camera, Culling culling = {});
 
-    // Draws the depths of what of the eye's ground lies within the half-spaces, whether the eye sees it or not, into the bound shadow map;
-    // patches finer than `finest` are left at that level. A CameraBlock of the eye and a ShadowBlock are bound. Returns how many patches.
-    std::size_t draw_depths(Vec3 eye, std::span<const HalfSpace> within, int finest);
+    // Draws the depths of an eye's ground, what of it is chosen, whether the eye sees it or not, into the bound shadow map. A CameraBlock of
+    // the eye and a ShadowBlock are bound. Returns how many patches.
+    std::size_t draw_depths(Vec3 eye, const PatchChoice& choice);
 
     // Of the last draw().
     const TerrainCount& count() const { return count_; }

@@ -13,9 +13,6 @@ double diameter_m(int level, const HeightField& field) {
     return 1.5 * side_m(level, field.radius_m) + std::min(field.whole.high - field.whole.low, field.detail(side_m(level, field.radius_m)));
 }
 
-// How far vertices stand beside the ground that lie `spacing` apart: features between them, and the planet's curve.
-double error_m(const HeightField& field, double spacing) { return field.detail(spacing) + spacing * spacing / (8.0 * field.radius_m); }
-
 Vec3 position(const Tile& tile, int i, int j) {
     const auto& p = tile.vertices[static_cast<std::size_t>(j * patch_side + i)].position_m;
     return {p[0], p[1], p[2]};
@@ -27,6 +24,10 @@ double LevelReach::glide(int level, double distance_m) const {
     if (level == 0) return 0.0;
     const double reach = reach_m[static_cast<std::size_t>(level)];
     return std::clamp((distance_m - glide_begin * reach) / (reach - glide_begin * reach), 0.0, 1.0);
+}
+
+double error_m(const HeightField& field, double spacing_m, double range_m) {
+    return std::min(field.detail(spacing_m), range_m) + spacing_m * spacing_m / (8.0 * field.radius_m);
 }
 
 LevelReach level_reach(const HeightField& field, const DetailSettings& s) {

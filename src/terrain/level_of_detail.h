@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "terrain/tile.h"
 
@@ -33,6 +34,10 @@ struct DetailSettings {
 // Reaches from the projected error of height that a level leaves out, and from the size that its squares have on the picture.
 // Each is more than twice the next one, so that only one level glides at a place, but for the last ones of the list.
 LevelReach level_reach(const HeightField& field, const DetailSettings& settings);
+
+// How far squares whose vertices lie `spacing_m` apart may stand beside the ground: features between them, which cannot be more than the
+// range of its heights, and the planet's curve.
+double error_m(const HeightField& field, double spacing_m, double range_m = std::numeric_limits<double>::infinity());
 
 // Whither a node's vertices glide along each of its axes, 1 or -1: towards the middle of the face, whichever way its coordinates run,
 // a rule on which faces on both sides of an edge agree.

@@ -43,40 +43,33 @@ double Quadtree::solid_m(Vec3 eye) const {
 Selection Quadtree::select(const Camera& camera, Culling culling) {
     const Frustum planes = frustum(camera);
     const double solid = solid_m(camera.eye);
+    return select(camera.eye, {.culled =
+                                   [&](const NodeBounds& b) {
+                                       return (culling.frustum && outside(b, camera.eye, planes)) ||
+                                              (culling.horizon && below_horizon(b, camera.eye, solid));
+                                   },
+                               .fine_enough = [](const Node&, const NodeBounds&) { return false; }});
+}
+
+Selection Quadtree::select(Vec3 eye, const PatchChoice& choice) {
     Selection selection;
-    for (int face = 0; face < cube_faces; ++face)
-        select(
-            {face, 0, 0, 0}, camera.eye, reach_.deepest,
-            [&](const NodeBounds& b) {
-                return (culling.frustum && outside(b, camera.eye, planes)) ||
-                       (culling.horizon && below_horizon(b, camera.eye, solid));
-            },
-            selection);
+    for (int face = 0; face < cube_faces; ++face) select({face, 0, 0, 0}, eye, choice, selection);
     return selection;
 }
 
-Selection Quadtree::select(Vec3 eye, std::span<const HalfSpace> within, int finest) {
-    Selection selection;
-    for (int face = 0; face < cube_faces; ++face)
-        select(
-            {face, 0, 0, 0}, eye, std::min(finest, reach_.deepest), [&](const NodeBounds& b) { return outside(b, within); },
-            selection);
-    return selection;
-}
-
-void Quadtree::select(const Node& node, Vec3 eye, int finest, const Culled& culled, Selection& selection) {
+void Quadtree::select(const Node& node, Vec3 eye, const PatchChoice& choice, Selection& selection) {
     ++selection.visited;
     const NodeBounds b = bounds(node);
-    if (culled(b)) {
+    if (choice.culled(b)) {
         ++selection.culled;
         return;
     }
     const auto next = static_cast<std::size_t>(node.level + 1);
-    if (node.level >= finest || distance_to(b, eye) > margin * reach_.reach_m[next]) {
+    if (node.level >= reach_.deepest || choice.fine_enough(node, b) || distance_to(b, eye) > margin * reach_.reach_m[next]) {
         selection.nodes.push_back(node);
         return;
     }
-    for (const Node& child : children(node)) select(child, eye, finest, culled, selection);
+    for (const Node& child : children(node)) select(child, eye, choice, selection);
 }
 
 }  // namespace airlight

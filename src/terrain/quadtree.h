@@ -19,6 +19,12 @@ struct Culling {
     bool horizon = true;
 };
 
+// Which patches are wanted, whether an eye sees them or not.
+struct PatchChoice {
+    std::function<bool(const NodeBounds&)> culled;
+    std::function<bool(const Node&, const NodeBounds&)> fine_enough;  // although the eye sees it finer
+};
+
 struct Selection {
     std::vector<Node> nodes;  // the nearest roughly first: children come before what is coarser
     int visited = 0;
@@ -30,9 +36,8 @@ public:
     Quadtree(HeightField field, LevelReach reach);
 
     Selection select(const Camera& camera, Culling culling = {});
-    // What of the patches of an eye lies within all of these half-spaces, whether the eye sees it or not; patches finer than `finest` are
-    // left at that level.
-    Selection select(Vec3 eye, std::span<const HalfSpace> within, int finest);
+    // Where patches are coarser than the eye's their edges need not meet.
+    Selection select(Vec3 eye, const PatchChoice& choice);
 
     const NodeBounds& bounds(const Node& node);
     const HeightField& field() const { return field_; }
@@ -42,8 +47,7 @@ public:
     double solid_m(Vec3 eye) const;
 
 private:
-    using Culled = std::function<bool(const NodeBounds&)>;
-    void select(const Node& node, Vec3 eye, int finest, const Culled& culled, Selection& selection);
+    void select(const Node& node, Vec3 eye, const PatchChoice& choice, Selection& selection);
 
     HeightField field_;
     LevelReach reach_;

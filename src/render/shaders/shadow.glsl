@@ -3,12 +3,12 @@
 #include "shadow_block.glsl"
 layout(binding = 6) uniform sampler2D shadow_maps;  // one above the other
 
-// The finest cascade that holds a point along the light's axes; -1 if there is none.
+// The finest cascade whose cube holds a point along the light's axes; -1 if there is none. Ground above a cube is drawn more coarsely.
 int cascade_of(vec3 p) {
     float rim = 1.0 - 6.0 / float(shadow_count.y);  // what a filter reaches beyond is on the map as well
     for (int i = 0; i < shadow_count.x; ++i) {
         vec4 place = cascade_place[i];
-        if (max(abs(p.x - place.x), abs(p.y - place.y)) <= rim * place.w && p.z >= place.z) return i;
+        if (max(abs(p.x - place.x), abs(p.y - place.y)) <= rim * place.w && abs(p.z - place.z - place.w) <= place.w) return i;
     }
     return -1;
 }
