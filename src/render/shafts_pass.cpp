@@ -17,7 +17,7 @@ constexpr unsigned slices_binding = 5, rays_binding = 6, even_binding = 11, slop
                    spans_binding = 15;
 
 // Directions of the picture and places on the way; multiples of the work group of shafts_table.comp.
-constexpr gpu::TextureSize table_size{16, 36, 128};
+constexpr gpu::TextureSize table_size{16, 60, 128};
 // A work group of shafts_slices.comp takes a slice, each invocation a block of it.
 constexpr int fewest_slices = 512, blocks_of_slice = 64, blocks_of_span = 8;
 
@@ -103,7 +103,7 @@ Result<ShaftsPass::Rays> ShaftsPass::rays_of(int width, int height, Shafts metho
         // About as many slices as leave half of the picture's edge.
         const int count = std::max(fewest_slices, (width + height) / 2), places = count > 2 * fewest_slices ? 16 : 8;
         slices.emplace(SlicesOfMaps{count, places, *std::move(sliced),
-                                    gpu::Texture({blocks_of_slice * places, count}, {}, gpu::TextureFormat::r32f),
+                                    gpu::Texture({blocks_of_slice * places + 1, count}, {}, gpu::TextureFormat::r32f),
                                     gpu::Texture({blocks_of_slice, count}), gpu::Texture({blocks_of_slice / blocks_of_span, count}),
                                     gpu::Buffer(sizeof(SlicesBlock))});
     }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <numeric>
 
 #include "atmosphere/presets.h"
 #include "image/png.h"
@@ -118,25 +119,23 @@ void keep_picture(const std::vector<float>& shade, const std::string& name) {
 struct Method {
     Shafts method;
     std::string_view name;
-    double mean, worst;  // error of a share that is allowed
+    double mean, high, worst;  // error of a share that is allowed: in the mean, of 99 in 100, of all
 };
-constexpr std::array<Method, 4> methods = {{{Shafts::epipolar, "epipolar", 0.01, 0.6},
-                                            {Shafts::marched, "marched", 0.02, 0.6},
-                                            {Shafts::planes, "planes", 0.01, 0.6},
-                                            {Shafts::volumes, "volumes", 0.01, 0.6}}};
+constexpr std::array<Method, 4> methods = {{{Shafts::epipolar, "epipolar", 0.0085, 0.065, 0.5},
+                                            {Shafts::marched, "marched", 0.018, 0.14, 0.5},
+                                            {Shafts::planes, "planes", 0.008, 0.06, 0.5},
+                                            {Shafts::volumes, "volumes", 0.008, 0.06, 0.5}}};
 
 struct Difference {
-    double mean = 0.0, worst = 0.0;
+    double mean = 0.0, high = 0.0, worst = 0.0;
 };
 Difference difference(const std::vector<float>& a, const std::vector<float>& b) {
-    Difference d;
-    for (std::size_t at = 0; at < a.size(); ++at) {
-        if (at % 4 == 3) continue;
-        const double error = std::abs(static_cast<double>(a[at]) - static_cast<double>(b[at]));
-        d.mean += error / (0.75 * static_cast<double>(a.size()));
-        d.worst = std::max(d.worst, error);
-    }
-    return d;
+    std::vector<double> errors;
+    for (std::size_t at = 0; at < a.size(); ++at)
+        if (at % 4 < 3) errors.push_back(std::abs(static_cast<double>(a[at]) - static_cast<double>(b[at])));
+    std::sort(errors.begin(), errors.end());
+    return {std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size()), errors[errors.size() * 99 / 100],
+            errors.back()};
 }
 
 double mean_share(const std::vector<float>& shade) { return 1.0 - difference(shade, std::vector<float>(shade.size(), 1.0f)).mean; }
@@ -190,15 +189,17 @@ TEST_CASE("light shafts: each method is near brute force, in a valley, over moun
             const std::vector<float> shade = scene.shade(m.method);
             keep_picture(shade, fmt::format("shafts-{}-{}", v.name, m.name));
             const Difference d = difference(shade, truth);
-            fmt::print("    {:.4f} ({:.3f})", d.mean, d.worst);
+            fmt::print("  {:.4f} {:.3f} {:.3f}", d.mean, d.high, d.worst);
             CHECK(d.mean <= m.mean);
+            CHECK(d.high <= m.high);
             CHECK(d.worst <= m.worst);
         }
         // Between the rays of two by two pixels, in a picture so small that neighbouring rays have little in common.
         const Difference shared = difference(scene.shade(Shafts::epipolar, 2), truth);
-        fmt::print("    {:.4f} ({:.3f})\n", shared.mean, shared.worst);
-        CHECK(shared.mean <= 0.015);
-        CHECK(shared.worst <= 0.6);
+        fmt::print("  {:.4f} {:.3f} {:.3f}\n", shared.mean, shared.high, shared.worst);
+        CHECK(shared.mean <= 0.0105);
+        CHECK(shared.high <= 0.11);
+        CHECK(shared.worst <= 0.36);
     }
 }
 

@@ -1,6 +1,6 @@
 #version 450 core
-// The slopes of the ground on a slice, and the least and the greatest in each block of places and in each span of blocks: Chen's tree with
-// branches of sixteen and eight.
+// The slopes of the ground at the places of a slice, and the least and the greatest in each block of places, with both of its ends, and in each
+// span of blocks: Chen's tree with branches of eight or sixteen, and eight.
 #include "shadow.glsl"
 #include "shafts_slices.glsl"
 layout(local_size_x = 64) in;
@@ -21,17 +21,18 @@ float ground_on_line(vec2 across) {
         if (depth > 0.0) return min(highest, place.z + depth * cascade_depth[i].x - 0.5 * cascade_depth[i].y);
         highest = min(highest, place.z);
     }
-    return -1e30;
+    return -1e20;
 }
 
 void main() {
     int block = int(gl_LocalInvocationID.x), slice = int(gl_WorkGroupID.x);
     float angle = slice_angles.x + (float(slice) + 0.5) * slice_angles.y;
     vec2 direction = vec2(cos(angle), sin(angle)), range = vec2(1e30, -1e30);
-    for (int k = block * slice_counts.z; k < (block + 1) * slice_counts.z; ++k) {
-        float across = across_light(float(k) + 0.5), slope = ground_on_line(across * direction) / across;
+    int first = block * slice_counts.z, next = first + slice_counts.z;
+    for (int k = first; k <= next; ++k) {
+        float across = across_light(max(float(k), 0.5)), slope = ground_on_line(across * direction) / across;
         range = vec2(min(range.x, slope), max(range.y, slope));
-        imageStore(slopes, ivec2(k, slice), vec4(slope));
+        if (k < next || next == slice_counts.y) imageStore(slopes, ivec2(k, slice), vec4(slope));
     }
     imageStore(blocks, ivec2(block, slice), vec4(range, 0.0, 0.0));
     ranges[block] = range;
