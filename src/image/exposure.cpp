@@ -66,8 +66,8 @@ double ev100_of_exposure(double exposure) {
 Result<double> metered_exposure(std::span<const float> luminance, std::span<const float> weight, const Metering& metering) {
     Result<std::vector<Metered>> metered = what_is_metered(luminance, weight, metering.sun_disk);
     if (!metered) return metered.error();
-    if (metering.method == Metering::Method::log_average) return metering.grey / log_average(*metered);
-    return 1.0 / percentile(*std::move(metered), metering.share);
+    if (metering.method == Metering::Method::log_average) return metering.grey / std::max(log_average(*metered), metering.darkest);
+    return 1.0 / std::max(percentile(*std::move(metered), metering.share), metering.darkest);
 }
 
 }  // namespace airlight

@@ -31,6 +31,8 @@ struct Metering {
     // The sun's disk is left out: luminance from here on, in cd m-2. Clear skies stay below 1e5 save around the sun; the
     // disk has 1.6e9 overhead and is dimmer than this only when it can be looked at.
     double sun_disk = 1e7;
+    // What is metered counts as at least this, in cd m-2: below it eyes see by their rods alone, and a night without moon stays dark.
+    double darkest = 1e-3;
 };
 
 // The exposure for an image, from the luminance of each pixel in cd m-2 and, if not empty, each pixel's weight (its

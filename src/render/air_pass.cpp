@@ -45,7 +45,9 @@ Result<AirPass> AirPass::create(const ColouredAir& air, std::unique_ptr<AirMetho
                     .limb_darkening_2 = mean(sun.limb_darkening_2),
                     .ground_albedo = mean(air.atmosphere.ground_albedo),
                     .moon = {},
-                    .eclipse = {}};
+                    .eclipse = {},
+                    .night_scattered = {},
+                    .night_illuminance = {}};
     AirPass pass(std::move(method), view, air.atmosphere);
     if (const Result<Done> made = pass.use_program(Part::surfaces, true); !made) return made.error();
     return pass;
@@ -59,7 +61,8 @@ AirPass::AirPass(std::unique_ptr<AirMethod> method, const View& view, Atmosphere
       lit_({1, 1}, std::array{1.0f, 1.0f, 1.0f, 1.0f}),
       covered_sun_({1, 1}) {}
 
-void AirPass::prepare(const Camera& camera, Vec3 towards_sun, gpu::PassTimers& timers, const std::optional<Eclipse>& eclipse) {
+void AirPass::prepare(const Camera& camera, Vec3 towards_sun, gpu::PassTimers& timers, const std::optional<Eclipse>& eclipse,
+                      bool night_sky) {
     const double radius_m = glm::length(camera.eye), altitude_m = radius_m - atmosphere_.bottom_radius.in(m);
     view_.eye_up = four(camera.eye / radius_m, altitude_m);
     view_.towards_sun = four(towards_sun, eclipse ? eclipse->sun_radius : atmosphere_.sun.angular_radius);
@@ -71,6 +74,9 @@ void AirPass::prepare(const Camera& camera, Vec3 towards_sun, gpu::PassTimers& t
         view_.eclipse = {static_cast<float>(1.0 / eclipse->sun_distance_m), table.first_ratio, table.last_ratio, 0.0f};
         covered_sun_ = gpu::Texture({EclipseTable::columns, EclipseTable::rows}, table.texels);
     }
+    const NightLight night = night_sky ? night_light() : NightLight{};
+    view_.night_scattered = four(night.scattered, 0.0);
+    view_.night_illuminance = four(night.illuminance, 0.0);
     view_block_.write(std::as_bytes(std::span(&view_, 1)));
     view_block_.bind_uniform(view_binding);
     method_->prepare({altitude_m, glm::dot(camera.eye, towards_sun) / radius_m}, timers);

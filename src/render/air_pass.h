@@ -24,7 +24,9 @@ public:
     static Result<AirPass> create(const ColouredAir& air, std::unique_ptr<AirMethod> method);
 
     // Makes the tables of the frame that draw() draws. Binds framebuffers of its own. `eclipse`: what takes sunlight from the planet.
-    void prepare(const Camera& camera, Vec3 towards_sun, gpu::PassTimers& timers, const std::optional<Eclipse>& eclipse = {});
+    // `night_sky`: whether the light between the stars is scattered and falls on surfaces.
+    void prepare(const Camera& camera, Vec3 towards_sun, gpu::PassTimers& timers, const std::optional<Eclipse>& eclipse = {},
+                 bool night_sky = false);
 
     // Draws into the bound framebuffer, whose colours are floats: red, green and blue; alpha means nothing. Its depth is that of
     // `surfaces`, and stays. A CameraBlock of the same camera is bound. Hues beyond the triangle of the primaries have negative parts.
@@ -42,7 +44,8 @@ public:
 
 private:
     struct View {
-        Four eye_up, towards_sun, shell, colour_of_sun, limb_darkening_1, limb_darkening_2, ground_albedo, moon, eclipse;
+        Four eye_up, towards_sun, shell, colour_of_sun, limb_darkening_1, limb_darkening_2, ground_albedo, moon, eclipse, night_scattered,
+            night_illuminance;
     };
     AirPass(std::unique_ptr<AirMethod> method, const View& view, Atmosphere atmosphere);
     enum class Part { surfaces, rest };  // what the geometry buffer holds; the sky and the ground sphere

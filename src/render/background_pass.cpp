@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "celestial/night_sky.h"
 #include "render/shaders.h"
 #include "spectrum/colour.h"
 #include "terrain/cube_sphere.h"
@@ -29,7 +30,17 @@ struct Block {
     Four eye_up, towards_sun;
     std::array<Four, 3> sun_radiance;
     Four towards_moon, moon_to_sun, moon_lit, moon_dark, pixel;
+    Four beyond, airglow, glowing_shell;
 };
+
+void set_night_sky(Block& block, const Camera& camera, const Atmosphere* air) {
+    const NightLight light = night_light();
+    block.beyond = four(light.beyond);
+    if (!air) return;
+    const double bottom_m = air->bottom_radius.in(m);
+    block.airglow = four(light.airglow);
+    block.glowing_shell = four({bottom_m, airglow_bottom.in(m), airglow_top.in(m)}, glm::length(camera.eye) - bottom_m);
+}
 
 std::vector<Four> light_of(std::span<const Star> stars) {
     const RgbConverter converter(RgbSpace::srgb, WhitePoint::d65);
@@ -61,17 +72,20 @@ Result<BackgroundPass> BackgroundPass::create(int width, int height, std::span<c
     if (!disks) return disks.error();
     Result<gpu::Program> points = program("stars.vert", "stars.frag");
     if (!points) return points.error();
+    Result<gpu::Program> night = program("fullscreen.vert", "night_sky.frag");
+    if (!night) return night.error();
     gpu::Texture radiance({width, height});
     Result<gpu::Framebuffer> target = gpu::Framebuffer::create({&radiance});
     if (!target) return target.error();
-    BackgroundPass pass(std::move(*disks), std::move(*points), std::move(radiance), std::move(*target));
+    BackgroundPass pass(std::move(*disks), std::move(*points), std::move(*night), std::move(radiance), std::move(*target));
     pass.take(stars);
     return pass;
 }
 
-BackgroundPass::BackgroundPass(gpu::Program disks, gpu::Program points, gpu::Texture radiance, gpu::Framebuffer target)
+BackgroundPass::BackgroundPass(gpu::Program disks, gpu::Program points, gpu::Program night, gpu::Texture radiance, gpu::Framebuffer target)
     : disks_(std::move(disks)),
       points_(std::move(points)),
+      night_(std::move(night)),
       radiance_(std::move(radiance)),
       target_(std::move(target)),
       block_(sizeof(Block)) {}
@@ -82,7 +96,7 @@ void BackgroundPass::take(std::span<const Star> stars) {
     star_count_ = static_cast<int>(stars.size());
 }
 
-void BackgroundPass::draw(const Camera& camera, const Heavens& heavens, const BendingTable& bending) {
+void BackgroundPass::draw(const Camera& camera, const Heavens& heavens, const BendingTable& bending, const Atmosphere* air) {
     const std::array<RgbLight, 3> sun = sun_radiance(heavens);
     const std::optional<MoonSeen> moon = moon_seen(heavens, camera.eye);
     Block block{.eye_up = four(glm::normalize(camera.eye), bending.horizon),
@@ -93,7 +107,11 @@ void BackgroundPass::draw(const Camera& camera, const Heavens& heavens, const Be
                 .moon_lit = {},
                 .moon_dark = {},
                 .pixel = {static_cast<float>(1.0 / pixels_per_radian(camera)), static_cast<float>(camera.width),
-                          static_cast<float>(camera.height), 0.0f}};
+                          static_cast<float>(camera.height), 0.0f},
+                .beyond = {},
+                .airglow = {},
+                .glowing_shell = {}};
+    if (heavens.night_sky) set_night_sky(block, camera, air);
     if (moon) {
         block.towards_moon = four(moon->towards, moon->angular_radius);
         block.moon_to_sun = four(moon->to_sun);
@@ -110,6 +128,9 @@ void BackgroundPass::draw(const Camera& camera, const Heavens& heavens, const Be
     if (may_see(camera, heavens.towards_sun, 20.0 * sun_radius(heavens)) ||
         (moon && may_see(camera, moon->towards, moon->angular_radius))) {
         disks_.use();
+        nothing_.draw_triangles(3);
+    } else if (heavens.night_sky) {
+        night_.use();
         nothing_.draw_triangles(3);
     } else {
         target_.clear_colour(0, 0.0f, 0.0f, 0.0f, 1.0f);

@@ -2,7 +2,8 @@
 // red, green and blue. Air bends the rays to them: near the horizon they stand higher than they are, and the sun is flattened.
 // docs/theory.md, section 7. Uses celestial, camera and gpu; knows no light that the air sends.
 //
-// Leaves out: the planets, the Milky Way, the face of the moon and what the Earth's shadow does to it; twinkling.
+// Leaves out: the planets, the Milky Way, the face of the moon and what the Earth's shadow does to it; twinkling; airglow before the ground,
+// and that airglow between the eye and the air, seen from space, is not dimmed by it.
 #pragma once
 
 #include <array>
@@ -33,16 +34,18 @@ public:
     // The next pictures have these stars.
     void take(std::span<const Star> stars);
 
-    // Draws into radiance(). A CameraBlock of the same camera is bound.
-    void draw(const Camera& camera, const Heavens& heavens, const BendingTable& bending);
+    bool has_stars() const { return star_count_ > 0; }
+
+    // Draws into radiance(). A CameraBlock of the same camera is bound. `air`: of the planet; at night it glows.
+    void draw(const Camera& camera, const Heavens& heavens, const BendingTable& bending, const Atmosphere* air = nullptr);
 
     // cd m-2 of the primaries of sRGB, of each pixel.
     const gpu::Texture& radiance() const { return radiance_; }
 
 private:
-    BackgroundPass(gpu::Program disks, gpu::Program points, gpu::Texture radiance, gpu::Framebuffer target);
+    BackgroundPass(gpu::Program disks, gpu::Program points, gpu::Program night, gpu::Texture radiance, gpu::Framebuffer target);
 
-    gpu::Program disks_, points_;
+    gpu::Program disks_, points_, night_;
     gpu::Texture radiance_;
     gpu::Framebuffer target_;
     gpu::Buffer stars_{sizeof(std::array<float, 4>)};

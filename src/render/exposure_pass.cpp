@@ -17,7 +17,7 @@ constexpr std::size_t bins = 512;
 // std140: `uniform Metering` of histogram.glsl.
 struct Settings {
     std::array<float, 4> luminance_of_rgb, adapting;
-    float grey, white_share, sun_disk, unused;
+    float grey, white_share, sun_disk, darkest;
 };
 static_assert(sizeof(Settings) == 48);
 
@@ -48,7 +48,7 @@ void ExposurePass::meter(const gpu::Texture& radiance, const Metering& metering,
         f(metering.grey),
         percentile ? f(metering.share) : 0.0f,
         f(metering.sun_disk),
-        0.0f};
+        f(metering.darkest)};
     settings_.write(std::as_bytes(std::span(&settings, 1)));
     settings_.bind_uniform(settings_binding);
     histogram_.bind_storage(histogram_binding);

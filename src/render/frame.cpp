@@ -22,9 +22,7 @@ Image image_of(const gpu::Texture& radiance) {
 }
 
 // Where the sun stands so low under the eye that the full moon's light, a 400 000th of its, begins to tell.
-bool is_night(const Camera& camera, const Heavens& heavens) {
-    return glm::dot(glm::normalize(camera.eye), heavens.towards_sun) < std::sin(-6.0 * deg);
-}
+bool is_night(const Camera& camera, Vec3 towards_sun) { return glm::dot(glm::normalize(camera.eye), towards_sun) < std::sin(-6.0 * deg); }
 
 }  // namespace
 
@@ -86,10 +84,11 @@ Result<Done> Frame::render(const Camera& camera, const Lights& lights) {
         ground_.draw(surfaces_, camera);
         GeometryBuffer::end();
     }
-    const Heavens heavens{lights.towards_sun, lights.sun_distance_au, lights.moon_m};
+    const Heavens heavens{lights.towards_sun, lights.sun_distance_au, lights.moon_m,
+                          background_.has_stars() && is_night(camera, lights.towards_sun)};
     {
         const auto pass = timers_.time("background");
-        background_.draw(camera, heavens, bending(camera));
+        background_.draw(camera, heavens, bending(camera), air_ ? &air_->atmosphere() : nullptr);
     }
     if (air_) {
         if (const Result<Done> drawn = draw_air(camera, heavens); !drawn) return drawn.error();
@@ -122,8 +121,8 @@ void Frame::draw_shade(const Camera& camera, Vec3 towards_sun) {
 
 Result<Done> Frame::draw_air(const Camera& camera, const Heavens& heavens) {
     const Length reach = air_->atmosphere().bottom_radius + air_->atmosphere().top_altitude;
-    const bool night = is_night(camera, heavens), shaded = shafts_ && !night;
-    air_->prepare(camera, heavens.towards_sun, timers_, eclipse_of(heavens, camera.eye, reach.in(m)));
+    const bool night = is_night(camera, heavens.towards_sun), shaded = shafts_ && !night;
+    air_->prepare(camera, heavens.towards_sun, timers_, eclipse_of(heavens, camera.eye, reach.in(m)), heavens.night_sky);
     if (shaded) draw_shade(camera, heavens.towards_sun);
     {
         const auto pass = timers_.time("air");

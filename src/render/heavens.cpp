@@ -4,6 +4,7 @@
 
 #include "atmosphere/sunlight.h"
 #include "celestial/moonlight.h"
+#include "celestial/night_sky.h"
 #include "spectrum/colour.h"
 #include "spectrum/solar.h"
 #include "sun/position.h"
@@ -18,6 +19,11 @@ SpectrumOf<Number> times(const SpectrumOf<Number>& a, const SpectrumOf<Number>& 
     return *SpectrumOf<Number>::of(std::move(samples));
 }
 
+RgbLight rgb_of(Xyz colour) {
+    const Rgb rgb = RgbConverter(RgbSpace::srgb, WhitePoint::d65).to_rgb(colour);
+    return {rgb.r, rgb.g, rgb.b};
+}
+
 double angle_between(Vec3 a, Vec3 b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
 
 }  // namespace
@@ -28,8 +34,7 @@ RgbLight sunlight(const Heavens& heavens, const SpectrumOf<Number>& share) {
     const SpectrumOf<SpectralIrradiance> sun = solar_irradiance(heavens.sun_distance_au);
     std::vector<SpectrumOf<SpectralIrradiance>::Sample> samples;
     for (const auto& [wavelength, irradiance] : sun.samples()) samples.push_back({wavelength, share.at(wavelength) * irradiance});
-    const Rgb rgb = RgbConverter(RgbSpace::srgb, WhitePoint::d65).to_rgb(to_xyz(*SpectrumOf<SpectralIrradiance>::of(std::move(samples))));
-    return {rgb.r, rgb.g, rgb.b};
+    return rgb_of(to_xyz(*SpectrumOf<SpectralIrradiance>::of(std::move(samples))));
 }
 
 std::array<RgbLight, 3> sun_radiance(const Heavens& heavens) {
@@ -68,6 +73,11 @@ std::optional<MoonSeen> moon_seen(const Heavens& heavens, Vec3 eye_m) {
     moon.dark = sunlight(heavens, times(albedo, earthshine_share(earths_phase, from_earth))) / pi;
     moon.illuminance = sunlight(heavens, moonlight_share(moon.phase_angle, distance_m * m));
     return moon;
+}
+
+NightLight night_light() {
+    const NightSky sky = night_sky();
+    return {rgb_of(sky.beyond), rgb_of(sky.airglow), rgb_of(0.5 * mean_luminance(sky)), rgb_of(illuminance(sky))};
 }
 
 std::optional<Eclipse> eclipse_of(const Heavens& heavens, Vec3 eye_m, double reach_m) {

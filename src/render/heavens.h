@@ -14,6 +14,7 @@ struct Heavens {
     Vec3 towards_sun;  // of length one, from any place of the planet but for eclipses
     double sun_distance_au = 1.0;
     std::optional<Vec3> moon_m = {};  // its centre, from the planet's; the planet then is where the Earth is
+    bool night_sky = false;           // whether there is light between the stars
 };
 
 // Angular, radians.
@@ -39,6 +40,15 @@ struct MoonSeen {
     RgbLight illuminance;   // lux above the air on a surface that faces it
 };
 std::optional<MoonSeen> moon_seen(const Heavens& heavens, Vec3 eye_m);
+
+// The light between the stars (celestial/night_sky.h).
+struct NightLight {
+    RgbLight beyond;       // cd m-2 from outside of the air
+    RgbLight airglow;      // cd m-2 of the glowing layer, crossed upright
+    RgbLight scattered;    // cd m-2 of air that light goes through no more: of a half of all directions such a sky sends light into it
+    RgbLight illuminance;  // lux on level ground
+};
+NightLight night_light();
 
 // What takes sunlight from a planet.
 struct Eclipse {

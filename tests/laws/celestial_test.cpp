@@ -9,6 +9,7 @@
 #include "atmosphere/presets.h"
 #include "celestial/eclipse.h"
 #include "celestial/moonlight.h"
+#include "celestial/night_sky.h"
 #include "celestial/refraction.h"
 #include "celestial/stars.h"
 #include "core/quadrature.h"
@@ -250,4 +251,25 @@ TEST_CASE("a table of bending is even in the fourth root of the elevation above 
         const double linear = table.bending[k] + (u - static_cast<double>(k)) * (table.bending[k + 1] - table.bending[k]);
         CHECK(std::abs(linear - bending(air, 2.0 * km, e)) / deg * 3600.0 < 5.0);
     }
+}
+
+TEST_CASE("a sky without sun and moon is as dark as the darkest are, and light of the ground is that of all its directions") {
+    const NightSky sky = night_sky();
+    // In magnitudes of a square second of arc, of which dark sites have 21.5 to 22 at the zenith [BennEllison1998].
+    const double square_second = deg * deg / (3600.0 * 3600.0);
+    const double magnitude = -2.5 * std::log10((sky.beyond.y + sky.airglow.y) * square_second / lux_of_magnitude_0);
+    fmt::print("  zenith {:.2f} mag arcsec-2, {:.2e} cd m-2\n", magnitude, sky.beyond.y + sky.airglow.y);
+    CHECK(magnitude > 21.5);
+    CHECK(magnitude < 22.0);
+    CHECK(van_rhijn(0.0) == 1.0);
+    CHECK(van_rhijn(0.5 * pi) == doctest::Approx(6.0).epsilon(0.02));  // [Leinert1998]
+    const GaussRule zenith_angles = gauss_rule(64, 0.0, 0.5 * pi);
+    double mean = 0.0, lux = 0.0;
+    for (std::size_t i = 0; i < zenith_angles.nodes.size(); ++i) {
+        const double z = zenith_angles.nodes[i], luminance = sky.beyond.y + sky.airglow.y * van_rhijn(z);
+        mean += zenith_angles.weights[i] * std::sin(z) * luminance;
+        lux += zenith_angles.weights[i] * 2.0 * pi * std::sin(z) * std::cos(z) * luminance;
+    }
+    CHECK(mean_luminance(sky).y == doctest::Approx(mean).epsilon(1e-6));
+    CHECK(illuminance(sky).y == doctest::Approx(lux).epsilon(1e-6));
 }

@@ -63,9 +63,18 @@ TEST_CASE("an exposure value brings 1.2 2^EV cd m-2 to white") {
 }
 
 TEST_CASE("the log average of a plain image is its grey, whatever its brightness") {
-    for (const float luminance : {1e-5f, 1.0f, 8000.0f}) {
+    for (const float luminance : {2e-3f, 1.0f, 8000.0f}) {
         const std::vector<float> plain(100, luminance);
         CHECK(std::abs(*metered_exposure(plain, {}, {}) * static_cast<double>(luminance) - 0.18) < 1e-12);
+    }
+}
+
+TEST_CASE("what is darker than eyes see colours in is metered as that: a dark night stays dark") {
+    for (const auto method : {Metering::Method::log_average, Metering::Method::percentile}) {
+        const Metering metering{.method = method};
+        const auto metered = [&](float luminance) { return *metered_exposure(std::vector<float>(100, luminance), {}, metering); };
+        CHECK(metered(2e-4f) == metered(9e-4f));
+        CHECK(metered(2e-3f) < metered(9e-4f));
     }
 }
 

@@ -10,6 +10,7 @@
 
 #include "atmosphere/presets.h"
 #include "celestial/eclipse.h"
+#include "celestial/night_sky.h"
 #include "celestial/refraction.h"
 #include "render/background_pass.h"
 #include "render/camera_block.h"
@@ -70,7 +71,7 @@ BackgroundPass pass_for(const Camera& camera, std::span<const Star> stars) {
 Picture draw(BackgroundPass& pass, const Camera& camera, const Heavens& heavens, const Atmosphere* air = nullptr) {
     const CameraBlock block;
     block.bind(camera);
-    pass.draw(camera, heavens, bending_to(air, glm::length(camera.eye)));
+    pass.draw(camera, heavens, bending_to(air, glm::length(camera.eye)), air);
     Picture picture{camera, std::vector<float>(static_cast<std::size_t>(4 * camera.width * camera.height))};
     pass.radiance().read(picture.pixels);
     return picture;
@@ -202,5 +203,36 @@ TEST_CASE("air raises what stands low and flattens the sun") {
         const Picture point = draw(camera, sun_away, star, &air);
         CHECK(point.lux() == doctest::Approx(1.0).epsilon(0.01));
         CHECK(std::abs(point.lux([](double, double y) { return y * 0.5; })) < 0.002);
+    }
+}
+
+TEST_CASE("at night the air glows by van Rhijn's law from below, and by its way through the glowing shell from space") {
+    const GpuCase gpu_case;
+    if (!gpu_case) return;
+    Atmosphere air = *preset("earth-clear");
+    air.bottom_radius = bottom_m * m;
+    const NightSky sky = night_sky();
+    const Heavens night{.towards_sun = {-1.0, 0.0, 0.0}, .night_sky = true};
+    const auto seen = [&](double altitude_m, double elevation, const Atmosphere* glowing) {
+        Camera camera = camera_towards(elevation, 0.02 * deg, 3, 3);
+        camera.eye = camera.eye / bottom_m * (bottom_m + altitude_m);
+        return draw(camera, night, {}, glowing).luminance(1, 1);
+    };
+    CHECK(seen(2.0, 90.0 * deg, nullptr) == doctest::Approx(sky.beyond.y).epsilon(1e-5));
+    // A shell ten kilometres thick is a thin one but for 3 %, at the horizon.
+    for (const double elevation_deg : {90.0, 45.0, 10.0, 1.0}) {
+        const double elevation = elevation_deg * deg, glow = seen(2.0, elevation, &air) - sky.beyond.y;
+        CHECK(glow == doctest::Approx(sky.airglow.y * van_rhijn(0.5 * pi - elevation)).epsilon(0.03));
+    }
+    for (const auto& [altitude_m, elevation_deg] : {std::pair{90e3, 20.0}, {90e3, -5.0}, {400e3, -18.0}, {400e3, -17.3}, {400e3, -10.0}}) {
+        const double elevation = elevation_deg * deg, step_m = 10.0, r = bottom_m + altitude_m;
+        double within_m = 0.0;
+        for (double way_m = 0.5 * step_m; way_m < 5e6; way_m += step_m) {
+            const double above_m = std::sqrt(r * r + way_m * way_m + 2.0 * r * way_m * std::sin(elevation)) - bottom_m;
+            if (above_m > airglow_bottom.in(m) && above_m < airglow_top.in(m)) within_m += step_m;
+        }
+        const double expected = sky.beyond.y + sky.airglow.y * within_m / (airglow_top - airglow_bottom).in(m);
+        CAPTURE(elevation_deg);
+        CHECK(seen(altitude_m, elevation, &air) == doctest::Approx(expected).epsilon(0.005));
     }
 }

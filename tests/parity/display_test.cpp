@@ -123,7 +123,8 @@ TEST_CASE("the histogram meters what image/exposure meters, within half a bin") 
         const Image image = skies(width, height);
         const gpu::Texture texture = texture_of(image);
         for (const Metering& metering :
-             {Metering{}, Metering{.grey = 0.25}, Metering{.sun_disk = 1e10}, Metering{.method = Metering::Method::percentile},
+             {Metering{}, Metering{.darkest = 1e6}, Metering{.method = Metering::Method::percentile, .darkest = 1e6},
+              Metering{.grey = 0.25}, Metering{.sun_disk = 1e10}, Metering{.method = Metering::Method::percentile},
               Metering{.method = Metering::Method::percentile, .share = 0.5}}) {
             exposure.meter(texture, metering, {}, at_once);
             const double ratio = exposure.read() / *metered_exposure(luminances(image), {}, metering);

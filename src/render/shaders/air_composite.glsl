@@ -85,7 +85,8 @@ void main() {
 #endif
     // Of light scattered once, and of the sun's on surfaces, shadows leave a share.
     vec4 shade = textureLod(shade_buffer, 0.5 * place + 0.5, 0.0);
-    vec3 sum = air_lit.sky.rgb * colour_of(seen.inscattered) + (air_lit.sun.rgb * shade.rgb - air_lit.sky.rgb) * colour_of(seen.once);
+    vec3 sum = air_lit.sky.rgb * colour_of(seen.inscattered) + (air_lit.sun.rgb * shade.rgb - air_lit.sky.rgb) * colour_of(seen.once) +
+               colour_through(night_scattered.rgb, AirLight(1.0) - seen.transmittance);
     if (surface.there) {
         SurfaceLight light =
             surface_light(surface.reflectance, surface.material, surface.normal, surface.up, -direction, towards_sun.xyz);
@@ -96,7 +97,8 @@ void main() {
         Passing lit = light_passing(surface.position, limb_darkening[0], limb_darkening[1]);
 #endif
         sum += shade.a * light.of_sun * lit.sun.rgb * colour_of(seen.transmittance * air_sunlight(surface.h, mu_s)) +
-               light.of_sky * lit.sky.rgb * colour_of(seen.transmittance * air_skylight(mu_s));
+               light.of_sky * lit.sky.rgb * colour_of(seen.transmittance * air_skylight(mu_s)) +
+               light.of_sky * colour_through(night_illuminance.rgb, seen.transmittance);
 #ifndef AIR_WITHOUT_WATER
         if (surface.material.g > 0.0) sum += mirrored_sky(surface, direction, lit.sky.rgb, seen);
 #endif

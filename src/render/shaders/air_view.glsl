@@ -12,6 +12,8 @@ layout(std140, binding = 2) uniform AirView {
     vec4 ground_albedo;      // of the ground sphere
     vec4 moon;               // from the eye; its radius, 0 where it takes no sunlight from the planet
     vec4 eclipse;            // inverse of the sun's distance; radius of the moon's disk over the sun's, at the table's first and last row
+    vec4 night_scattered;    // radiance of air that lets nothing through, by the light between the stars
+    vec4 night_illuminance;  // of level ground by that light
 };
 
 // The part within the air of a ray from the eye.

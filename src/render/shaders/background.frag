@@ -1,7 +1,8 @@
 #version 450 core
-// The disks of the sun and the moon, and the sun's corona.
+// The disks of the sun and the moon, the sun's corona, and the light between the stars.
 #include "camera.glsl"
 #include "background.glsl"
+#include "night_sky.glsl"
 layout(location = 0) in vec2 place;
 layout(location = 0) out vec4 radiance;
 
@@ -31,16 +32,16 @@ vec3 moon_at(vec3 direction) {
 bool may_be_near(vec3 apparent, vec4 disk, float radii) { return dot(apparent, disk.xyz) > cos(radii * disk.w + 0.03 + 2.0 * pixel.x); }
 
 void main() {
-    vec3 apparent = normalize(view_ray(place));
-    radiance = vec4(0.0, 0.0, 0.0, 1.0);
+    vec3 apparent = normalize(view_ray(place)), night = night_sky_at(apparent);
+    radiance = vec4(night, 1.0);
     if (!may_be_near(apparent, towards_sun, 20.0) && !may_be_near(apparent, towards_moon, 1.0)) return;
     float elevation = elevation_of(apparent);
     vec3 direction = raised(apparent, -bending_at(elevation));
     float from_sun = angle_between(direction, towards_sun.xyz), from_moon = angle_between(direction, towards_moon.xyz);
     float sun_width = max(length(vec2(dFdx(from_sun), dFdy(from_sun))), 1e-7);
     float moon_width = max(length(vec2(dFdx(from_moon), dFdy(from_moon))), 1e-7);
-    vec3 sum = vec3(0.0);
-    if (elevation >= eye_up.w && from_sun < 20.0 * towards_sun.w) sum = sun_at(from_sun, sun_width);
+    vec3 sum = night;
+    if (elevation >= eye_up.w && from_sun < 20.0 * towards_sun.w) sum += sun_at(from_sun, sun_width);
     if (elevation >= eye_up.w && towards_moon.w > 0.0) {
         float part = covered(from_moon, towards_moon.w, moon_width);
         if (part > 0.0) sum = mix(sum, moon_at(direction), part);

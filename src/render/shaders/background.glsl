@@ -1,5 +1,6 @@
 // What stands above the air (src/render/background_pass.h).
-const float pi = 3.14159265358979;
+#include "physics/readings/glsl.glsl"
+#include "physics/shell.glsl"
 #include "angle.glsl"
 layout(std140, binding = 1) uniform Background {
     vec4 eye_up;           // away from the planet's centre, of length one; elevation of the lowest ray that misses the ground, in radians
@@ -10,6 +11,9 @@ layout(std140, binding = 1) uniform Background {
     vec4 moon_lit;         // radiance of the moon where the sun stands as high as the eye
     vec4 moon_dark;        // its radiance by the Earth's light
     vec4 pixel;            // its size in radians in the middle of the picture; how many of them across and up
+    vec4 beyond;           // radiance between the stars
+    vec4 airglow;          // radiance of the glowing shell of air where it is crossed upright, 0: nothing glows
+    vec4 glowing_shell;    // radius of the ground, altitudes of the shell's ends and of the eye
 };
 // How much lower than it is seen something stands; even in the fourth root of the elevation above the lowest ray.
 layout(binding = 0) uniform sampler2D bending;

@@ -37,8 +37,8 @@ void main() {
     uint all_pixels = below[bins - 1];
     if (white_share > 0.0) {
         float enough = white_share * float(all_pixels), darker = bin > 0 ? float(below[bin - 1]) : 0.0;
-        if (darker < enough && float(below[bin]) >= enough) follow(exp2(-stops_of(float(bin))));
+        if (darker < enough && float(below[bin]) >= enough) follow(1.0 / max(exp2(stops_of(float(bin))), least));
     } else if (bin == 0 && all_pixels > 0u) {
-        follow(grey * exp2(-stops[bins - 1] / float(all_pixels)));
+        follow(grey / max(exp2(stops[bins - 1] / float(all_pixels)), least));
     }
 }

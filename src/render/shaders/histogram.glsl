@@ -9,6 +9,7 @@ layout(std140, binding = 1) uniform Metering {
     float grey;          // what the mean becomes;
     float white_share;   // or if above 0: the share of pixels below what becomes white
     float sun_disk;      // luminance that is left out, from here on
+    float least;         // luminance that what is metered counts as at least
 };
 
 int bin_of(float luminance) { return clamp(int(floor((log2(luminance) - darkest) * bins_per_stop)), 0, bins - 1); }
