@@ -1,5 +1,7 @@
 #include "render/frame.h"
 
+#include <epoxy/gl.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -23,6 +25,18 @@ Image image_of(const gpu::Texture& radiance) {
 
 // Where the sun stands so low under the eye that the full moon's light, a 400 000th of its, begins to tell.
 bool is_night(const Camera& camera, Vec3 towards_sun) { return glm::dot(glm::normalize(camera.eye), towards_sun) < std::sin(-6.0 * deg); }
+
+// Nothing is drawn outside of these rows while it is there.
+class Scissor {
+public:
+    Scissor(int width, const Rows& rows) {
+        glScissor(0, rows.first, width, rows.count);
+        glEnable(GL_SCISSOR_TEST);
+    }
+    ~Scissor() { glDisable(GL_SCISSOR_TEST); }
+    Scissor(const Scissor&) = delete;
+    Scissor& operator=(const Scissor&) = delete;
+};
 
 }  // namespace
 
@@ -71,7 +85,7 @@ Result<Image> Frame::draw(const Camera& camera, const Lights& lights) {
 
 Image Frame::image() const { return image_of(radiance_); }
 
-Result<Done> Frame::render(const Camera& camera, const Lights& lights) {
+Result<Done> Frame::render(const Camera& camera, const Lights& lights, const std::optional<Rows>& slice) {
     assert(camera.width == radiance_.size().width && camera.height == radiance_.size().height);
     camera_.bind(camera);
     {
@@ -91,7 +105,7 @@ Result<Done> Frame::render(const Camera& camera, const Lights& lights) {
         background_.draw(camera, heavens, bending(camera), air_ ? &air_->atmosphere() : nullptr);
     }
     if (air_) {
-        if (const Result<Done> drawn = draw_air(camera, heavens); !drawn) return drawn.error();
+        if (const Result<Done> drawn = draw_air(camera, heavens, slice.value_or(Rows{0, camera.height})); !drawn) return drawn.error();
     } else {
         if (shafts_) draw_shade(camera, lights.towards_sun);
         const auto pass = timers_.time("light");
@@ -119,7 +133,7 @@ void Frame::draw_shade(const Camera& camera, Vec3 towards_sun) {
     shafts_->draw(surfaces_, shadows_, camera);
 }
 
-Result<Done> Frame::draw_air(const Camera& camera, const Heavens& heavens) {
+Result<Done> Frame::draw_air(const Camera& camera, const Heavens& heavens, const Rows& rows) {
     const Length reach = air_->atmosphere().bottom_radius + air_->atmosphere().top_altitude;
     const bool night = is_night(camera, heavens.towards_sun), shaded = shafts_ && !night;
     air_->prepare(camera, heavens.towards_sun, timers_, eclipse_of(heavens, camera.eye, reach.in(m)), heavens.night_sky);
@@ -127,6 +141,7 @@ Result<Done> Frame::draw_air(const Camera& camera, const Heavens& heavens) {
     {
         const auto pass = timers_.time("air");
         target_.bind();
+        const Scissor scissor(camera.width, rows);
         const Result<Done> drawn =
             air_->draw(surfaces_, shaded ? &shafts_->shade() : nullptr, &background_.radiance(), terrain_.count().sea);
         if (!drawn) return drawn.error();
@@ -136,6 +151,7 @@ Result<Done> Frame::draw_air(const Camera& camera, const Heavens& heavens) {
     air_->prepare(camera, moon->towards, timers_);
     const auto pass = timers_.time("moonlit air");
     target_.bind();
+    const Scissor scissor(camera.width, rows);
     return air_->add(surfaces_, moon->illuminance / sunlight(heavens, SpectrumOf<Number>::constant(1.0)), terrain_.count().sea);
 }
 

@@ -19,6 +19,11 @@
 
 namespace airlight::render {
 
+// Rows of a picture, the lowest of which is 0.
+struct Rows {
+    int first, count;
+};
+
 class Frame {
 public:
     // For pictures of this size and field of view, under these stars; `context` outlives it. Without `shafts` nothing casts a shadow; shafts that have an air
@@ -33,8 +38,8 @@ public:
     Result<Image> draw(const Camera& camera, const Lights& lights);
 
     // The same, left on the GPU: radiance() has it, its lowest row first, and image() reads it back. Waits
-    // for the GPU.
-    Result<Done> render(const Camera& camera, const Lights& lights);
+    // for the GPU. With air it may be done in slices: other rows than these stay as they are.
+    Result<Done> render(const Camera& camera, const Lights& lights, const std::optional<Rows>& slice = {});
     const gpu::Texture& radiance() const { return radiance_; }
     Image image() const;
 
@@ -60,7 +65,7 @@ private:
 
     const BendingTable& bending(const Camera& camera);
     void draw_shade(const Camera& camera, Vec3 towards_sun);
-    Result<Done> draw_air(const Camera& camera, const Heavens& heavens);
+    Result<Done> draw_air(const Camera& camera, const Heavens& heavens, const Rows& rows);
 
     const gpu::Context* context_;
     CameraBlock camera_;

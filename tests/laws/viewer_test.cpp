@@ -17,6 +17,7 @@
 #include "viewer/path_edit.h"
 #include "viewer/probe.h"
 #include "viewer/session.h"
+#include "viewer/slices.h"
 
 using namespace airlight;
 using namespace airlight::test;
@@ -426,4 +427,23 @@ TEST_CASE("a key on the other side of the planet from the last is refused, and t
     CHECK(!edit.add({0.0, {.latitude = -0.2, .longitude = pi}}, 1.0));
     CHECK(edit.keys().size() == 1);
     CHECK(!edit.unsaved());
+}
+
+TEST_CASE("slices are all of a picture's rows once, from the highest down, each as long as the frame of one may be") {
+    for (const double row_ms : {0.01, 3.0, 1000.0}) {
+        Slices slices(333);
+        CHECK(slices.share() == 0.0);
+        int above = 333, count_before = 0, slices_drawn = 0;
+        while (const std::optional<Slices::Slice> slice = slices.next()) {
+            REQUIRE(slice->count >= 1);
+            CHECK(slice->first + slice->count == above);
+            if (count_before > 0) CHECK(slice->count <= std::max(1, 2 * count_before));
+            if (slices_drawn > 9) CHECK(slice->count * row_ms <= std::max(Slices::slice_ms, row_ms));
+            above = slice->first, count_before = slice->count, ++slices_drawn;
+            slices.drawn(slice->count * row_ms);
+            CHECK(slices.share() == (333.0 - above) / 333.0);
+        }
+        CHECK(above == 0);
+        CHECK(slices_drawn < (row_ms < 1.0 ? 12 : 400));
+    }
 }

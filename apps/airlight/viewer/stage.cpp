@@ -37,6 +37,15 @@ constexpr double as_far = 1e-3;
 
 bool sun_is_as_far(const Scene& a, const Scene& b) { return std::abs(a.sun.distance_au / b.sun.distance_au - 1.0) < as_far; }
 
+bool takes_long(AirMethodName method) { return method == AirMethodName::exact; }
+
+double milliseconds_of_air(std::span<const gpu::PassTime> times) {
+    double sum = 0.0;
+    for (const gpu::PassTime& time : times)
+        if (time.pass.ends_with("air")) sum += time.milliseconds;
+    return sum;
+}
+
 }  // namespace
 
 AirName air_name(const Scene& scene) { return {scene.atmosphere, scene.weather}; }
@@ -155,7 +164,7 @@ Result<Done> Stage::remake(const Scene& scene) {
     if (!passes) return passes.error();
     passes->frame.exchange_air(*std::move(air));
     passes_ = std::move(*passes);
-    other_air_.reset();
+    other_air_.reset(), quick_air_.reset(), view_.reset();
     if (next.atmosphere != scene_.atmosphere) wished_air_ = {};
     ground_ = std::move(ground), colour_ = std::move(colour), scene_ = std::move(next);
     return Done{};
@@ -166,6 +175,7 @@ Result<Done> Stage::resize(int width, int height) {
     if (!passes) return passes.error();
     passes->frame.exchange_air(passes_.frame.exchange_air({}));
     passes_ = std::move(*passes);
+    view_.reset();
     return Done{};
 }
 
@@ -197,7 +207,7 @@ Result<Done> Stage::take_air(const Scene& scene, std::optional<Tables> tables, c
     if (!shafts) return shafts.error();
     passes_.frame.exchange_air(*std::move(air));
     passes_.frame.exchange_shafts(*std::move(shafts));
-    other_air_.reset();
+    other_air_.reset(), quick_air_.reset(), view_.reset();
     tables_ = std::move(tables);
     scene_.atmosphere = name.atmosphere, scene_.weather = name.weather;
     return Done{};
@@ -207,25 +217,79 @@ void Stage::follow_stars(const viewer::Session& session) {
     if (session.stars == scene_.stars) return;
     scene_.stars = session.stars;
     passes_.frame.take(stars_of(scene_));
+    view_.reset();
+}
+
+Stage::View Stage::view_of(const viewer::Session& session) {
+    return {session.eye,    session.field_of_view,    session.towards_sun,    session.sun_distance_au,
+            session.moon_m, session.comparison.shown, session.comparison.with};
+}
+
+Result<Done> Stage::make_air(std::optional<render::AirPass>& air, const viewer::Session& session, AirMethodName method) const {
+    Scene scene = viewer::scene_of(session);
+    scene.air.method = method;
+    Result<std::optional<render::AirPass>> made = air_pass_of(tables_, scene);
+    if (!made) return made.error();
+    air = *std::move(made);
+    return Done{};
+}
+
+// By the session's own air, or by another one, which the frame has for so long.
+Result<Done> Stage::render(const viewer::Session& session, const std::optional<render::Rows>& slice,
+                           std::optional<render::AirPass>* other) {
+    const Camera camera = viewer::camera_of(session, width(), height());
+    const render::Lights lights = lights_of(viewer::scene_of(session));
+    if (!other) return passes_.frame.render(camera, lights, slice);
+    std::optional<render::AirPass> own = passes_.frame.exchange_air(std::move(*other));
+    const Result<Done> drawn = passes_.frame.render(camera, lights, slice);
+    *other = passes_.frame.exchange_air(std::move(own));
+    return drawn;
 }
 
 // The picture of the other method of a comparison, copied before the session's own is drawn.
-Result<Done> Stage::draw_second(const viewer::Session& session, const Camera& camera, const render::Lights& lights) {
-    if (!other_air_ || other_method_ != session.comparison.with) {
-        Scene scene = viewer::scene_of(session);
-        scene.air.method = other_method_ = session.comparison.with;
-        Result<std::optional<render::AirPass>> air = air_pass_of(tables_, scene);
-        if (!air) return air.error();
-        other_air_ = *std::move(air);
+Result<Done> Stage::draw_second(const viewer::Session& session, const std::optional<render::Rows>& slice, bool quick) {
+    const bool replaced = quick && takes_long(session.comparison.with);
+    if (!replaced && (!other_air_ || other_method_ != session.comparison.with)) {
+        other_method_ = session.comparison.with;
+        if (const Result<Done> made = make_air(other_air_, session, other_method_); !made) return made.error();
     }
-    std::optional<render::AirPass> own = passes_.frame.exchange_air(std::move(other_air_));
-    const Result<Done> drawn = passes_.frame.render(camera, lights);
-    other_air_ = passes_.frame.exchange_air(std::move(own));
-    if (!drawn) return drawn.error();
+    if (const Result<Done> drawn = render(session, slice, replaced ? &quick_air_ : &other_air_); !drawn) return drawn.error();
     for (const gpu::PassTime& time : passes_.frame.times()) times_.push_back({"second " + time.pass, time.milliseconds});
-    glCopyImageSubData(passes_.frame.radiance().name(), GL_TEXTURE_2D, 0, 0, 0, 0, passes_.second.name(), GL_TEXTURE_2D, 0, 0, 0, 0,
-                       width(), height(), 1);
+    const render::Rows rows = slice.value_or(render::Rows{0, height()});
+    glCopyImageSubData(passes_.frame.radiance().name(), GL_TEXTURE_2D, 0, 0, rows.first, 0, passes_.second.name(), GL_TEXTURE_2D, 0, 0,
+                       rows.first, 0, width(), rows.count, 1);
     return Done{};
+}
+
+// A slice of what the session shows, or all; `quick`: with air in real time in place of one that takes long.
+Result<Done> Stage::draw_pictures(const viewer::Session& session, const std::optional<render::Rows>& slice, bool quick) {
+    if (quick && !quick_air_)
+        if (const Result<Done> made = make_air(quick_air_, session, AirMethodName::airlight); !made) return made.error();
+    if (session.comparison.shown != viewer::Comparison::Shown::one)
+        if (const Result<Done> drawn = draw_second(session, slice, quick); !drawn) return drawn.error();
+    const bool replaced = quick && takes_long(session.air.method);
+    if (const Result<Done> drawn = render(session, slice, replaced ? &quick_air_ : nullptr); !drawn) return drawn.error();
+    times_.insert(times_.end(), passes_.frame.times().begin(), passes_.frame.times().end());
+    return Done{};
+}
+
+Result<Done> Stage::draw_slice(const viewer::Session& session) {
+    const std::optional<viewer::Slices::Slice> slice = slices_->next();
+    if (!slice) return Done{};
+    if (const Result<Done> drawn = draw_pictures(session, render::Rows{slice->first, slice->count}, false); !drawn) return drawn.error();
+    slices_->drawn(milliseconds_of_air(times_));
+    return Done{};
+}
+
+Result<Done> Stage::draw_light(const viewer::Session& session) {
+    const bool compares = session.comparison.shown != viewer::Comparison::Shown::one;
+    if (!takes_long(session.air.method) && !(compares && takes_long(session.comparison.with))) {
+        view_.reset(), slices_.reset();
+        return draw_pictures(session, {}, false);
+    }
+    if (view_ == view_of(session)) return draw_slice(session);
+    view_ = view_of(session), slices_.emplace(height());
+    return draw_pictures(session, {}, true);
 }
 
 void Stage::expose(const viewer::Session& session, double seconds) {
@@ -260,16 +324,13 @@ void Stage::develop(const viewer::Session& session) {
     else passes_.tone.draw(light, exposure, session.look.tone);
 }
 
-Result<Done> Stage::draw(const viewer::Session& session, double seconds) {
+Result<Done> Stage::draw(const viewer::Session& session, double seconds, Pace pace) {
     follow_air(session);
     follow_stars(session);
-    const Camera camera = viewer::camera_of(session, width(), height());
-    const render::Lights lights = lights_of(viewer::scene_of(session));
-    times_.clear();
-    if (session.comparison.shown != viewer::Comparison::Shown::one)
-        if (const Result<Done> drawn = draw_second(session, camera, lights); !drawn) return drawn.error();
-    if (const Result<Done> drawn = passes_.frame.render(camera, lights); !drawn) return drawn.error();
-    times_.insert(times_.end(), passes_.frame.times().begin(), passes_.frame.times().end());
+    do {
+        times_.clear();
+        if (const Result<Done> drawn = draw_light(session); !drawn) return drawn.error();
+    } while (pace == Pace::whole && slices_ && slices_->next());
     expose(session, seconds);
     develop(session);
     for (gpu::PassTime& time : timers_.read()) times_.push_back(std::move(time));
@@ -300,6 +361,7 @@ double Stage::luminance_at(double x, double y) const {
 }
 
 std::optional<std::string> Stage::at_work() const {
+    if (!job_ && slices_ && slices_->next()) return fmt::format("the exact air: {:.0f} %", 100.0 * slices_->share());
     if (!job_) return std::nullopt;
     const AirName& name = job_->name();
     return fmt::format("the air {}{}: {}", name.atmosphere, name.weather.empty() ? "" : " in its weather", job_->how_far());

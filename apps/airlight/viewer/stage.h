@@ -18,6 +18,7 @@
 #include "render/frame.h"
 #include "render/tone_pass.h"
 #include "viewer/session.h"
+#include "viewer/slices.h"
 
 namespace airlight::cli {
 
@@ -62,9 +63,11 @@ public:
 
     const HeightField& ground() const { return ground_; }
 
-    // Draws the session as it is `seconds` after the last time. Fails if the GPU was reset, or the other method of a comparison cannot be
-    // made.
-    Result<Done> draw(const viewer::Session& session, double seconds);
+    // How a picture that takes long is drawn: in slices, one each time that the view is as it was, or all of it at once.
+    enum class Pace { slices, whole };
+    // Draws the session as it is `seconds` after the last time. In slices the exact air begins anew in each view, and air in real time is
+    // shown where it is not there yet. Fails if the GPU was reset, or the other method of a comparison cannot be made.
+    Result<Done> draw(const viewer::Session& session, double seconds, Pace pace);
 
     // The passes anew, from shaders as they are now; the ground of a scene, if it is another, else its tiles stay.
     Result<Done> remake(const Scene& scene);
@@ -118,7 +121,26 @@ private:
     void follow_air(const viewer::Session& session);
     Result<Done> take_air(const Scene& scene, std::optional<Tables> tables, const AirName& name);
     void follow_stars(const viewer::Session& session);
-    Result<Done> draw_second(const viewer::Session& session, const Camera& camera, const render::Lights& lights);
+    // What slices belong to, beside the passes.
+    struct View {
+        Viewpoint eye;
+        double field_of_view;
+        Vec3 towards_sun;
+        double sun_distance_au;
+        std::optional<Vec3> moon_m;
+        viewer::Comparison::Shown shown;
+        AirMethodName with;
+
+        friend bool operator==(const View&, const View&) = default;
+    };
+    static View view_of(const viewer::Session& session);
+    Result<Done> draw_light(const viewer::Session& session);
+    Result<Done> draw_slice(const viewer::Session& session);
+    Result<Done> draw_pictures(const viewer::Session& session, const std::optional<render::Rows>& slice, bool quick);
+    Result<Done> draw_second(const viewer::Session& session, const std::optional<render::Rows>& slice, bool quick);
+    Result<Done> render(const viewer::Session& session, const std::optional<render::Rows>& slice,
+                        std::optional<render::AirPass>* other = nullptr);
+    Result<Done> make_air(std::optional<render::AirPass>& air, const viewer::Session& session, AirMethodName method) const;
     void expose(const viewer::Session& session, double seconds);
     void develop(const viewer::Session& session);
 
@@ -133,6 +155,9 @@ private:
     std::unique_ptr<AirJob> job_;
     Passes passes_;
     std::optional<render::AirPass> other_air_;  // of a comparison
+    std::optional<render::AirPass> quick_air_;  // in real time, in place of one that takes long
+    std::optional<View> view_;                  // that the slices belong to; none: the next picture begins anew
+    std::optional<viewer::Slices> slices_;      // none: the picture is drawn at once
     AirMethodName other_method_ = {};
     gpu::Buffer exposure_of_one_;
     gpu::PassTimers timers_;

@@ -110,7 +110,8 @@ public:
         tell_new(failures_.all(), facts_.failures);
         facts_.failures = failures_.all();
         draw_panel(panel_, facts_, session_, stage_.ground(), input);
-        const Result<Done> drawn = stage_.draw(session_, std::exchange(drawn_once_, true) ? input.seconds : 0.0);
+        const Stage::Pace pace = wishes_.frames > 0 ? Stage::Pace::whole : Stage::Pace::slices;
+        const Result<Done> drawn = stage_.draw(session_, std::exchange(drawn_once_, true) ? input.seconds : 0.0, pace);
         failures_.air = drawn ? stage_.air_failure() : drawn.error().message();
         if (const Result<Done> there = window_.context().check(); !there) return there.error();
         tell();

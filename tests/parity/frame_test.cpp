@@ -1,4 +1,4 @@
-// A night without moon as whole frames: as bright as dark skies were measured to be, seen through the air, by any method of it.
+// Whole frames: a night without moon is as bright as dark skies were measured to be, by any method of air; a frame in slices is the frame.
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -30,46 +30,46 @@ const std::vector<Vec3> colours = {{0, 0, 1}, {0, 0, 0}, {0, 1, 0}, {1, 0, 0}};
 const BakeSettings bake = {
     .sizes = {.transmittance_mu = 64, .transmittance_altitude = 32, .sun = 24, .azimuth = 4, .view = 8, .altitude = 12}, .orders = 2};
 
-// A night over a sphere of grey ground, under one star that no picture here shows.
-class Night {
+// A sphere of grey ground under one star that no picture of a night here shows.
+class Planet {
 public:
-    explicit Night(const GpuCase& gpu) : gpu_(&gpu) {}
+    explicit Planet(const GpuCase& gpu) : gpu_(&gpu) {}
 
-    render::Frame frame(Result<std::unique_ptr<render::AirMethod>> method) const {
+    render::Frame frame(Result<std::unique_ptr<render::AirMethod>> method, const Camera& like) const {
         REQUIRE(method);
         Result<render::AirPass> air = render::AirPass::create({atmosphere_, wavelengths, colours}, *std::move(method));
         REQUIRE(air);
         const GroundColour grey{std::make_shared<const SurfaceImage>(SurfaceImage{2, 1, {89, 89, 89, 255, 89, 89, 89, 255}})};
         const Star star{towards(90.0, 30.0), {1e-6, 1e-6, 1e-6}};
         Result<render::Frame> made =
-            render::Frame::create(gpu_->context(), level_height(radius_m()), grey, camera(0.0), *std::move(air), {}, std::span(&star, 1));
+            render::Frame::create(gpu_->context(), level_height(radius_m()), grey, like, *std::move(air), {}, std::span(&star, 1));
         REQUIRE(made);
         return *std::move(made);
     }
-    render::Frame airlight() const { return frame(render::airlight_air(tables_, colours)); }
-    render::Frame exact() const { return frame(render::exact_air(tables_, colours)); }
+    render::Frame airlight(const Camera& like) const { return frame(render::airlight_air(tables_, colours), like); }
+    render::Frame exact(const Camera& like) const { return frame(render::exact_air(tables_, colours), like); }
 
-    // cd m-2 in the middle of a picture from 2 m above the ground.
+    // cd m-2 at midnight in the middle of a picture from 2 m above the ground.
     double luminance(render::Frame& frame, double elevation_deg) const {
         const Result<Image> image =
-            frame.draw(camera(elevation_deg), {.towards_sun = towards(0.0, -60.0), .sun = Vec3(1.0), .sky = Vec3(0.0)});
+            frame.draw(narrow(elevation_deg), {.towards_sun = towards(0.0, -60.0), .sun = Vec3(1.0), .sky = Vec3(0.0)});
         REQUIRE(image);
         const std::span<const float> rgb = image->pixel(1, 1);
         return RgbConverter(RgbSpace::srgb, WhitePoint::d65).luminance({rgb[0], rgb[1], rgb[2]});
     }
 
-private:
     double radius_m() const { return atmosphere_.bottom_radius.in(m); }
     Vec3 towards(double heading_deg, double elevation_deg) const {
         return look(Viewpoint{.heading = heading_deg * deg, .pitch = elevation_deg * deg}, radius_m()).forward;
     }
-    Camera camera(double elevation_deg) const {
+    Camera narrow(double elevation_deg) const {
         Camera camera = look(Viewpoint{.altitude_m = 2.0, .pitch = elevation_deg * deg}, radius_m());
         camera.vertical_field_of_view = 0.1 * deg;
         camera.width = camera.height = 3;
         return camera;
     }
 
+private:
     const GpuCase* gpu_;
     Atmosphere atmosphere_ = *preset("earth-clear");
     TemporaryFolder cache_;
@@ -81,9 +81,9 @@ private:
 TEST_CASE("a night without moon is as dark as dark sites are, somewhat brighter towards the horizon, and not black to the ground") {
     const GpuCase gpu_case;
     if (!gpu_case) return;
-    const Night night(gpu_case);
-    render::Frame frame = night.airlight(), exact = night.exact();
-    const auto luminance = [&](double elevation_deg) { return night.luminance(frame, elevation_deg); };
+    const Planet planet(gpu_case);
+    render::Frame frame = planet.airlight(planet.narrow(0.0)), exact = planet.exact(planet.narrow(0.0));
+    const auto luminance = [&](double elevation_deg) { return planet.luminance(frame, elevation_deg); };
     const double zenith = luminance(90.0);
     const double magnitude = 27.78 - 2.5 * std::log10(zenith / luminance_of_s10());
     fmt::print("  zenith {:.2f} mag arcsec-2, {:.2e} cd m-2\n", magnitude, zenith);
@@ -100,5 +100,31 @@ TEST_CASE("a night without moon is as dark as dark sites are, somewhat brighter 
     // Grey ground reflects a tenth of the light that falls on it.
     CHECK(luminance(-80.0) == doctest::Approx(0.1 / pi * illuminance(night_sky()).y).epsilon(0.1));
     for (const double elevation_deg : {90.0, 10.0, -80.0})
-        CHECK(night.luminance(exact, elevation_deg) == doctest::Approx(luminance(elevation_deg)).epsilon(0.02));
+        CHECK(planet.luminance(exact, elevation_deg) == doctest::Approx(luminance(elevation_deg)).epsilon(0.02));
+}
+
+TEST_CASE("a frame in slices is the frame drawn at once, by day and under the moon, and what stood in its rows before leaves no trace") {
+    const GpuCase gpu_case;
+    if (!gpu_case) return;
+    const Planet planet(gpu_case);
+    Camera camera = look(Viewpoint{.altitude_m = 500.0, .heading = 20.0 * deg}, planet.radius_m());
+    camera.width = 16, camera.height = 11;
+    Camera elsewhere = look(Viewpoint{.altitude_m = 9e3, .pitch = -40.0 * deg}, planet.radius_m());
+    elsewhere.width = 16, elsewhere.height = 11;
+    render::Frame frame = planet.exact(camera);
+    const Vec3 moon_m = Vec3(planet.radius_m(), 0.0, 0.0) + 3.844e8 * planet.towards(10.0, 25.0);
+    for (const double sun_deg : {12.0, -30.0}) {
+        const render::Lights lights{
+            .towards_sun = planet.towards(0.0, sun_deg), .sun = Vec3(1.0), .sky = Vec3(0.0), .sun_distance_au = 1.0, .moon_m = moon_m};
+        const Result<Image> whole = frame.draw(camera, lights);
+        REQUIRE(whole);
+        const Result<Image> other = frame.draw(elsewhere, lights);
+        REQUIRE(other);
+        CHECK(other->values != whole->values);
+        for (const render::Rows& slice : {render::Rows{8, 3}, {7, 1}, {0, 7}}) {
+            CHECK(frame.image().values != whole->values);
+            REQUIRE(frame.render(camera, lights, slice));
+        }
+        CHECK(frame.image().values == whole->values);
+    }
 }
