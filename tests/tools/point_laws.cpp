@@ -55,6 +55,21 @@ std::vector<Row> points_and_suns() {
     return all;
 }
 
+// Suns around the horizon and elsewhere, of several sizes: h, mu_s, bottom, sun_radius.
+std::vector<Row> suns_and_horizons() {
+    std::vector<Row> all;
+    for (const ShellRay& r : all_rays()) {
+        if (r.mu != 1.0) continue;
+        const double horizon = f64::horizon_cosine(f64::Length::of(r.h), f64::Length::of(r.bottom)).value;
+        for (const double radius : {0.0, 1e-3, 4.65e-3, 0.1}) {
+            for (const double off : {-1.2, -0.99, -0.7, -0.1, 0.01, 0.4, 0.9, 0.999, 1.1})
+                all.push_back({r.h, to_float(std::clamp(horizon + off * std::max(radius, 1e-3), -1.0, 1.0)), r.bottom, to_float(radius)});
+            for (const double mu_s : {-1.0, -0.3, 0.2, 1.0}) all.push_back({r.h, to_float(mu_s), r.bottom, to_float(radius)});
+        }
+    }
+    return all;
+}
+
 // Coordinates of texels: both ends, their neighbours, and between.
 std::vector<double> coordinates() {
     std::vector<double> all = {0.0, 1e-6, 1e-3, 1.0 - 1e-3, 1.0};
@@ -97,6 +112,12 @@ std::vector<PointLaw> shell_laws() {
         POINT_LAW(cosine_at, points_and_altitudes(), 5, 0),
         // r 1, products 2 and 1, sum 3, r_t 1, quotient 5
         POINT_LAW(sun_cosine_at, points_and_suns(), 5, 0),
+        // The part of a disk near none of it is a half less a half: its roundings are counted against one. square 1, difference 2, root 2,
+        // product 3, asin 1, sum 4, quotient 5, sums 7; a GPU's asin may be off by 4096 ulps (SPIR-V's bound)
+        MODEL_LAW("1 + disk_above", 1, 1.0 + disk_above(x[0]),
+                  combinations({{-3.0, -1.0, -0.999, -0.99, -0.9, -0.5, -1e-3, 0.0, 1e-6, 0.1, 0.5, 0.7, 0.99, 0.999, 1.0, 1.5}}), 7, 4096),
+        // horizon 5 (counted against mu_s), sine 4, quotients 6 and 7, and the disk's 7
+        MODEL_LAW("1 + sun_above_horizon", 4, 1.0 + sun_above_horizon(x[0] * m, x[1], x[2] * m, x[3]), suns_and_horizons(), 14, 4096),
     };
 }
 

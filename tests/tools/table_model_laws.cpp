@@ -119,6 +119,13 @@ std::vector<PointLaw> bruneton2008_laws() {
         // exponent 3, its exponential 5, difference 6, quotient 13
         POINT_LAW(bruneton2008_sun_coordinate, combinations({cosines()}), 13, 8),
         POINT_LAW(bruneton2008_sun_of_coordinate, combinations({coordinates()}), 13, 64),
+        // sum 1, quotient 2
+        POINT_LAW(bruneton2008_gain, combinations({{0.0, 1e-3, 1.0, 30.0, 999.0, 12e3, 29999.0, 30e3, 70e3, 800e3, 3e6, 1e8}}), 2, 0),
+        // on either axis as on that axis alone
+        MODEL_LAW("bruneton2008_chosen_sun_coordinate", 2, bruneton2008_chosen_sun_coordinate(x[0], x[1] > 0.5),
+                  combinations({cosines(), {0.0, 1.0}}), 13, 16),
+        MODEL_LAW("bruneton2008_chosen_sun_of_coordinate", 2, bruneton2008_chosen_sun_of_coordinate(x[0], x[1] > 0.5),
+                  combinations({coordinates(), {0.0, 1.0}}), 13, 64),
         TABLE_LAW("bruneton2008: higher orders", scattering, 5,
                   bruneton2008_multiple(t3[0], bruneton2008_place(bruneton2008(6360000.0 * m, 60000.0 * m, 4, 8, 6, 3), x[0] * m, x[1],
                                                                   x[2], x[3], x[4] > 0.5))[0],
