@@ -2,7 +2,6 @@
 // and black and white walls in the air, from the ground to space.
 
 #include <doctest/doctest.h>
-#include <epoxy/gl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,32 +11,19 @@
 #include <optional>
 #include <vector>
 
-#include "atmosphere/presets.h"
 #include "celestial/eclipse.h"
-#include "gpu/vertex_array.h"
-#include "models/airlight_tables.h"
-#include "models/model.h"
 #include "render/air_airlight.h"
 #include "render/air_exact.h"
 #include "render/air_hillaire2020.h"
-#include "render/air_pass.h"
 #include "render/camera_block.h"
-#include "render/shaders.h"
+#include "tools/air_case.h"
+#include "tools/full_screen.h"
 #include "tools/gpu_case.h"
-#include "tools/temporary_folder.h"
 
 using namespace airlight;
 using namespace airlight::test;
 
 namespace {
-
-constexpr int width = 15, height = 10;
-// Five wavelengths are two groups of four; three of them are the three channels.
-const std::vector<Wavelength> wavelengths = {450.0 * nm, 500.0 * nm, 550.0 * nm, 600.0 * nm, 650.0 * nm};
-const std::vector<Vec3> colours = {{0, 0, 1}, {0, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}};
-constexpr std::array<std::size_t, 3> wavelength_of_channel = {4, 2, 0};
-const BakeSettings quick = {
-    .sizes = {.transmittance_mu = 64, .transmittance_altitude = 32, .sun = 24, .azimuth = 4, .view = 8, .altitude = 12}, .orders = 2};
 
 // What stands before the eye: nothing, or a wall across the view that faces the sun.
 struct Wall {
@@ -47,30 +33,6 @@ struct Wall {
 
 class Pictures {
 public:
-    Pictures() {
-        const Result<gpu::ShaderText> vertex = render::shader_text("fullscreen.vert");
-        const auto read = [](const std::string& path) -> Result<std::string> {
-            const Result<gpu::ShaderText> file = render::shader_text(path);
-            if (!file) return file.error();
-            return file->text;
-        };
-        const Result<gpu::ShaderText> fragment = gpu::resolve_includes(R"(#version 450 core
-#include "geometry_buffer.glsl"
-layout(std140, binding = 0) uniform WallBlock { vec4 normal_and_depth; vec4 reflectance; };
-void main() {
-    gl_FragDepth = normal_and_depth.w;
-    write_surface(reflectance.rgb, normal_and_depth.xyz, 1.0, 0.0);
-}
-)",
-                                                                       gpu::ReadText(read));
-        REQUIRE(vertex);
-        REQUIRE(fragment);
-        const gpu::Stage stages[] = {{GL_VERTEX_SHADER, *vertex}, {GL_FRAGMENT_SHADER, *fragment}};
-        Result<gpu::Program> made = gpu::Program::link("wall", stages);
-        if (!made) FAIL(made.error().message());
-        wall_.emplace(std::move(*made));
-    }
-
     // For all pictures that draw() makes of this camera and sun.
     void prepare(render::AirPass& air, const Camera& camera, Vec3 towards_sun, const std::optional<render::Eclipse>& eclipse = {}) const {
         gpu::PassTimers timers;
@@ -87,8 +49,7 @@ void main() {
                                                 wall.reflectance, wall.reflectance, wall.reflectance, 0.0f};
             const gpu::Buffer uniform(std::as_bytes(std::span(block)));
             uniform.bind_uniform(0);
-            wall_->use();
-            triangle_.draw_triangles(3);
+            wall_.draw();
         }
         render::GeometryBuffer::end();
         camera_block_.bind(camera);
@@ -104,44 +65,15 @@ private:
     gpu::Texture radiance_{{width, height}};
     Result<gpu::Framebuffer> target_ = gpu::Framebuffer::create({&radiance_}, &surfaces_->depth());
     render::CameraBlock camera_block_;
-    gpu::VertexArray triangle_;
-    std::optional<gpu::Program> wall_;
+    FullScreen wall_{"wall", R"(#version 450 core
+#include "geometry_buffer.glsl"
+layout(std140, binding = 0) uniform WallBlock { vec4 normal_and_depth; vec4 reflectance; };
+void main() {
+    gl_FragDepth = normal_and_depth.w;
+    write_surface(reflectance.rgb, normal_and_depth.xyz, 1.0, 0.0);
+}
+)"};
 };
-
-// What both are asked about, and the CPU's answers.
-struct Truth {
-    Atmosphere atmosphere = *preset("earth-clear");
-    TemporaryFolder cache;
-    Tables baked = *cached_tables(atmosphere, wavelengths, quick, {.folder = cache.path}, {});
-    AirlightTables tables = airlight_tables(baked.packs()[0], 12);
-    std::unique_ptr<Sky> sky = *make_sky("airlight", atmosphere, wavelengths, {.bake = quick, .cache = {.folder = cache.path}});
-    double bottom_m() const { return atmosphere.bottom_radius.in(m); }
-    render::AirPass pass(std::unique_ptr<render::AirMethod> method) const {
-        Result<render::AirPass> made = render::AirPass::create({atmosphere, wavelengths, colours}, std::move(method));
-        if (!made) FAIL(made.error().message());
-        return *std::move(made);
-    }
-};
-
-Camera camera_above(const Truth& model, double altitude_m, double pitch_deg) {
-    Camera camera = look(Viewpoint{.latitude = 0.7, .longitude = 0.2, .altitude_m = altitude_m, .heading = 0.5, .pitch = pitch_deg * deg},
-                         model.bottom_m());
-    camera.width = width, camera.height = height;
-    return camera;
-}
-
-Vec3 sun_at(const Truth& model, double zenith_deg) {
-    return look(Viewpoint{.latitude = 0.7, .longitude = 0.2, .heading = 2.5, .pitch = (90.0 - zenith_deg) * deg}, model.bottom_m()).forward;
-}
-
-double angle_between(Vec3 a, Vec3 b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
-
-// The view of a direction from a place, the sun towards `sun`.
-View view_of(Vec3 from, double bottom_m, Vec3 direction, Vec3 sun) {
-    const Vec3 up = glm::normalize(from);
-    const Vec3 level = direction - glm::dot(direction, up) * up, sun_level = sun - glm::dot(sun, up) * up;
-    return {(glm::length(from) - bottom_m) * m, angle_between(direction, up), angle_between(sun, up), angle_between(level, sun_level)};
-}
 
 // What the CPU says of a pixel whose direction has length one along the camera's axis.
 std::vector<double> seen_by_cpu(const Truth& model, const Sky& sky, const Camera& camera, Vec3 ray, Vec3 sun, Wall wall) {
@@ -163,20 +95,18 @@ std::vector<double> seen_by_cpu(const Truth& model, const Sky& sky, const Camera
 
 // The mean difference of a picture from the CPU's, over its mean.
 double mean_error(const std::vector<float>& pixels, const Truth& model, const Sky& sky, const Camera& camera, Vec3 sun, Wall wall) {
-    double difference = 0.0, sum = 0.0;
+    MeanError error;
     const HalfSize half = half_size(camera);
     for (int row = 0; row < height; ++row)
         for (int column = 0; column < width; ++column) {
             const double x = (column + 0.5) / width * 2.0 - 1.0, y = (row + 0.5) / height * 2.0 - 1.0;
             const Vec3 ray = camera.forward + x * half.width * camera.right + y * half.height * camera.up;
             const std::vector<double> exact = seen_by_cpu(model, sky, camera, ray, sun, wall);
-            for (std::size_t c = 0; c < 3; ++c) {
-                const double expected = exact[wavelength_of_channel[c]];
-                difference += std::abs(static_cast<double>(pixels[static_cast<std::size_t>(4 * (row * width + column)) + c]) - expected);
-                sum += expected;
-            }
+            for (std::size_t c = 0; c < 3; ++c)
+                error.add(static_cast<double>(pixels[static_cast<std::size_t>(4 * (row * width + column)) + c]),
+                          exact[wavelength_of_channel[c]]);
         }
-    return difference / sum;
+    return error.value();
 }
 
 }  // namespace
@@ -214,11 +144,7 @@ TEST_CASE("tables of light are made for an eye near by, and a picture is the sam
     const GpuCase gpu_case;
     if (!gpu_case) return;
     const Truth model;
-    const auto made = [&] {
-        Result<std::unique_ptr<render::AirMethod>> method = render::airlight_air(model.baked, colours);
-        if (!method) FAIL(method.error().message());
-        return model.pass(*std::move(method));
-    };
+    const auto made = [&] { return model.pass(must(render::airlight_air(model.baked, colours))); };
     render::AirPass flown = made(), fresh = made();
     const Pictures pictures;
     const Camera before = camera_above(model, 3000.0, 5.0), here = camera_above(model, 3000.05, 5.0);
@@ -234,9 +160,8 @@ TEST_CASE("airlight in real time is within 3 % of the exact pass from 0 m to 20 
     const GpuCase gpu_case;
     if (!gpu_case) return;
     const Truth model;
-    Result<std::unique_ptr<render::AirMethod>> method = render::airlight_air(model.baked, colours);
-    if (!method) FAIL(method.error().message());
-    render::AirPass fast = model.pass(*std::move(method)), exact = model.pass(render::exact_air(model.baked, colours));
+    render::AirPass fast = model.pass(must(render::airlight_air(model.baked, colours))),
+                    exact = model.pass(render::exact_air(model.baked, colours));
     const Pictures pictures;
     fmt::print("  mean error, %        {:>8} {:>10} {:>10}\n", "sky", "black wall", "white wall");
     for (const auto& [altitude_m, pitch_deg, wall_m] :
@@ -271,9 +196,7 @@ TEST_CASE("hillaire2020 on the GPU is within 3 % of hillaire2020 on the CPU in t
     if (!gpu_case) return;
     const Truth model;
     const std::unique_ptr<Sky> sky = *make_sky("hillaire2020", model.atmosphere, wavelengths, {});
-    Result<std::unique_ptr<render::AirMethod>> method = render::hillaire2020_air({model.atmosphere, wavelengths, colours});
-    if (!method) FAIL(method.error().message());
-    render::AirPass air = model.pass(*std::move(method));
+    render::AirPass air = model.pass(must(render::hillaire2020_air({model.atmosphere, wavelengths, colours})));
     const Pictures pictures;
     fmt::print("  mean error, %     {:>8} {:>10}\n", "sky", "black wall");
     for (const auto& [altitude_m, pitch_deg, wall_m] : {std::array{2.0, 20.0, 2e4}, {1e4, 5.0, 5e4}, {4e5, -25.0, 1.2e6}})
@@ -293,9 +216,8 @@ TEST_CASE("in the shadow only light scattered twice and more is left, by the exa
     const GpuCase gpu_case;
     if (!gpu_case) return;
     const Truth model;
-    Result<std::unique_ptr<render::AirMethod>> method = render::airlight_air(model.baked, colours);
-    if (!method) FAIL(method.error().message());
-    render::AirPass fast = model.pass(*std::move(method)), exact = model.pass(render::exact_air(model.baked, colours));
+    render::AirPass fast = model.pass(must(render::airlight_air(model.baked, colours))),
+                    exact = model.pass(render::exact_air(model.baked, colours));
     const Pictures pictures;
     const gpu::Texture lit({1, 1}, std::array{1.0f, 1.0f, 1.0f, 1.0f}), dark({1, 1}, std::array{0.0f, 0.0f, 0.0f, 0.0f});
     fmt::print("  once, %    of that in real time, %\n");
@@ -329,9 +251,8 @@ TEST_CASE("a moon as far as the sun takes the same part of the light from all ai
     const GpuCase gpu_case;
     if (!gpu_case) return;
     const Truth model;
-    Result<std::unique_ptr<render::AirMethod>> method = render::airlight_air(model.baked, colours);
-    if (!method) FAIL(method.error().message());
-    render::AirPass fast = model.pass(*std::move(method)), exact = model.pass(render::exact_air(model.baked, colours));
+    render::AirPass fast = model.pass(must(render::airlight_air(model.baked, colours))),
+                    exact = model.pass(render::exact_air(model.baked, colours));
     const Pictures pictures;
     const Camera camera = camera_above(model, 3e3, 5.0);
     const Vec3 sun = sun_at(model, 50.0), beside = glm::normalize(glm::cross(sun, camera.up));
@@ -360,9 +281,8 @@ TEST_CASE("in totality the zenith is ten thousand times darker than by day, and 
     const GpuCase gpu_case;
     if (!gpu_case) return;
     const Truth model;
-    Result<std::unique_ptr<render::AirMethod>> method = render::airlight_air(model.baked, colours);
-    if (!method) FAIL(method.error().message());
-    render::AirPass fast = model.pass(*std::move(method)), exact = model.pass(render::exact_air(model.baked, colours));
+    render::AirPass fast = model.pass(must(render::airlight_air(model.baked, colours))),
+                    exact = model.pass(render::exact_air(model.baked, colours));
     const Pictures pictures;
     const Vec3 sun = sun_at(model, 25.0);
     const double radius = model.atmosphere.sun.angular_radius, distance_m = 3.6e8;
@@ -383,139 +303,4 @@ TEST_CASE("in totality the zenith is ten thousand times darker than by day, and 
         CHECK(zenith < 3e-4);
         CHECK(low > 3.0 * zenith);
     }
-}
-
-namespace {
-
-// The ground sphere as a mirror of water, or as black land.
-class Sea {
-public:
-    explicit Sea(double bottom_m) : bottom_m_(bottom_m) {
-        const auto read = [](const std::string& path) -> Result<std::string> {
-            const Result<gpu::ShaderText> file = render::shader_text(path);
-            if (!file) return file.error();
-            return file->text;
-        };
-        const Result<gpu::ShaderText> vertex = render::shader_text("fullscreen.vert");
-        const Result<gpu::ShaderText> fragment = gpu::resolve_includes(R"(#version 450 core
-#include "camera.glsl"
-#include "geometry_buffer.glsl"
-layout(std140, binding = 3) uniform SeaBlock { vec4 sea; };  // radius, roughness, water
-layout(location = 0) in vec2 place;
-void main() {
-    dvec3 way = normalize(dvec3(view_ray(place)));
-    double along = -dot(camera_eye_m.xyz, way), inside = along * along - dot(camera_eye_m.xyz, camera_eye_m.xyz) + double(sea.x) * double(sea.x);
-    if (along <= 0.0 || inside <= 0.0) discard;
-    dvec3 position = way * (along - sqrt(inside));
-    gl_FragDepth = camera_lens.z / dot(vec3(position), camera_forward.xyz);
-    write_surface(vec3(0.0), normalize(vec3(camera_eye_m.xyz + position)), sea.y, sea.z);
-}
-)",
-                                                                       gpu::ReadText(read));
-        REQUIRE(vertex);
-        REQUIRE(fragment);
-        const gpu::Stage stages[] = {{GL_VERTEX_SHADER, *vertex}, {GL_FRAGMENT_SHADER, *fragment}};
-        Result<gpu::Program> made = gpu::Program::link("sea", stages);
-        if (!made) FAIL(made.error().message());
-        program_.emplace(std::move(*made));
-    }
-
-    // What the water adds to each pixel's light: red, green, blue, and 0 where there is none.
-    std::vector<double> mirrored(render::AirPass& air, const Camera& camera, Vec3 towards_sun, double roughness) const {
-        gpu::PassTimers timers;
-        air.prepare(camera, towards_sun, timers);
-        const std::vector<float> with = draw(air, camera, roughness, 1.0f), without = draw(air, camera, roughness, 0.0f);
-        std::vector<double> difference;
-        for (std::size_t i = 0; i < with.size(); ++i) difference.push_back(static_cast<double>(with[i]) - static_cast<double>(without[i]));
-        return difference;
-    }
-
-private:
-    std::vector<float> draw(render::AirPass& air, const Camera& camera, double roughness, float water) const {
-        const std::array<float, 4> block = {static_cast<float>(bottom_m_), static_cast<float>(roughness), water, 0.0f};
-        const gpu::Buffer uniform(std::as_bytes(std::span(block)));
-        uniform.bind_uniform(3);
-        camera_block_.bind(camera);
-        surfaces_->begin();
-        program_->use();
-        triangle_.draw_triangles(3);
-        render::GeometryBuffer::end();
-        target_->bind();
-        REQUIRE(air.draw(*surfaces_));
-        std::vector<float> pixels(4 * width * height);
-        radiance_.read(pixels);
-        return pixels;
-    }
-
-    double bottom_m_;
-    Result<render::GeometryBuffer> surfaces_ = render::GeometryBuffer::create(width, height);
-    gpu::Texture radiance_{{width, height}};
-    Result<gpu::Framebuffer> target_ = gpu::Framebuffer::create({&radiance_}, &surfaces_->depth());
-    render::CameraBlock camera_block_;
-    gpu::VertexArray triangle_;
-    std::optional<gpu::Program> program_;
-};
-
-// The light of the sky by still water of a refractive index of 1.33, by Fresnel's equations, towards the eye; none where there is no water, or the
-// sun's glint.
-std::vector<double> mirrored_by_cpu(const Truth& model, const Camera& camera, Vec3 ray, Vec3 sun) {
-    const Vec3 way = glm::normalize(ray);
-    const double along = -glm::dot(camera.eye, way), beside = glm::length(camera.eye + along * way), bottom = model.bottom_m();
-    if (along <= 0.0 || beside >= bottom) return {};
-    const double distance = along - std::sqrt((bottom - beside) * (bottom + beside));
-    const Vec3 from_centre = camera.eye + distance * way, up = glm::normalize(from_centre);
-    const double c = -glm::dot(way, up);
-    const Vec3 mirrored = way + 2.0 * c * up;
-    if (angle_between(mirrored, sun) < 15.0 * deg) return {};
-    const double index = 1.33, inner = std::sqrt(1.0 - (1.0 - c * c) / (index * index));
-    const double across = (c - index * inner) / (c + index * inner), parallel = (index * c - inner) / (index * c + inner);
-    const double reflected = 0.5 * (across * across + parallel * parallel);
-    const AerialPerspective air = *model.sky->aerial_perspective(view_of(camera.eye, bottom, way, sun), distance * m);
-    View from_water = view_of(up * bottom, bottom, mirrored, sun);
-    from_water.altitude = 0.0 * m;
-    std::vector<double> light = model.sky->radiance(from_water)->radiance_W_m2_sr_nm;
-    for (std::size_t w = 0; w < light.size(); ++w) light[w] *= reflected * air.transmittance[w];
-    return light;
-}
-
-double mean_mirror_error(const std::vector<double>& seen, const Truth& model, const Camera& camera, Vec3 sun) {
-    double difference = 0.0, sum = 0.0;
-    for (int row = 0; row < height; ++row)
-        for (int column = 0; column < width; ++column) {
-            const Vec3 ray = direction_at(camera, (column + 0.5) / width * 2.0 - 1.0, (row + 0.5) / height * 2.0 - 1.0);
-            const std::vector<double> exact = mirrored_by_cpu(model, camera, ray, sun);
-            if (exact.empty()) continue;
-            for (std::size_t c = 0; c < 3; ++c) {
-                const double expected = exact[wavelength_of_channel[c]];
-                difference += std::abs(seen[static_cast<std::size_t>(4 * (row * width + column)) + c] - expected);
-                sum += expected;
-            }
-        }
-    return difference / sum;
-}
-
-}  // namespace
-
-// Waves of a roughness of 0.02 are as good as still. The sun stands behind the eye.
-TEST_CASE("water mirrors the sky over it: the exact pass as the CPU marches it, and in real time within 15 %") {
-    const GpuCase gpu_case;
-    if (!gpu_case) return;
-    const Truth model;
-    Result<std::unique_ptr<render::AirMethod>> method = render::airlight_air(model.baked, colours);
-    if (!method) FAIL(method.error().message());
-    render::AirPass fast = model.pass(*std::move(method)), exact = model.pass(render::exact_air(model.baked, colours));
-    const Sea sea(model.bottom_m());
-    fmt::print("  mean error, %         {:>8} {:>10}\n", "exact", "real time");
-    for (const auto& [altitude_m, pitch_deg] :
-         {std::pair{2.0, -40.0}, {50.0, -33.0}, {3e3, -35.0}, {1e4, -60.0}, {4e5, -60.0}, {2e7, -89.0}})
-        for (const double sun_deg : {20.0, 60.0, 80.0, 88.0}) {
-            Camera camera = camera_above(model, altitude_m, pitch_deg);
-            if (altitude_m > 1e6) camera.vertical_field_of_view = 20.0 * deg;
-            const Vec3 sun = sun_at(model, sun_deg);
-            const double by_exact = mean_mirror_error(sea.mirrored(exact, camera, sun, 0.02), model, camera, sun),
-                         by_fast = mean_mirror_error(sea.mirrored(fast, camera, sun, 0.02), model, camera, sun);
-            fmt::print("  {:>8.0f} m, sun {:>2.0f} {:>11.2f} {:>10.2f}\n", altitude_m, sun_deg, 100.0 * by_exact, 100.0 * by_fast);
-            CHECK(by_exact <= 0.03);
-            CHECK(by_fast <= 0.15);
-        }
 }

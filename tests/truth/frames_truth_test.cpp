@@ -2,7 +2,6 @@
 // sea, which are black here. How near the tables are to the reference is in docs/accuracy.md.
 
 #include <doctest/doctest.h>
-#include <epoxy/gl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,20 +10,17 @@
 #include <string_view>
 #include <vector>
 
-#include "atmosphere/presets.h"
 #include "core/parallel.h"
 #include "figures.h"
-#include "models/model.h"
 #include "render/air_airlight.h"
 #include "render/air_hillaire2020.h"
-#include "render/air_pass.h"
 #include "render/bruneton2008_air.h"
 #include "render/camera_block.h"
-#include "render/shaders.h"
 #include "render/terrain_pass.h"
 #include "terrain/procedural_relief.h"
+#include "tools/air_case.h"
+#include "tools/full_screen.h"
 #include "tools/gpu_case.h"
-#include "tools/temporary_folder.h"
 
 using namespace airlight;
 using namespace airlight::test;
@@ -32,23 +28,11 @@ using truth::full;
 
 namespace {
 
-const std::vector<Wavelength> wavelengths = {450.0 * nm, 500.0 * nm, 550.0 * nm, 600.0 * nm, 650.0 * nm};
-// Three of them are the three channels.
-const std::vector<Vec3> colours = {{0, 0, 1}, {0, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}};
-constexpr std::array<std::size_t, 3> wavelength_of_channel = {4, 2, 0};
 // On a shore, between mountains.
 constexpr double latitude = 36.2 * deg, longitude = 31.5 * deg;
 
-int width() { return full() ? 48 : 20; }
-int height() { return full() ? 27 : 12; }
-
-template <class T>
-T must(Result<T> made) {
-    if (!made) FAIL(made.error().message());
-    return std::move(*made);
-}
-
-double angle_between(Vec3 a, Vec3 b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
+int columns() { return full() ? 48 : 20; }
+int rows() { return full() ? 27 : 12; }
 
 // What every method is asked: the ground as the GPU drew it, and what the tables say of each pixel.
 struct Question {
@@ -60,27 +44,6 @@ struct Question {
 
 class Planet {
 public:
-    Planet() {
-        const auto read = [](const std::string& path) -> Result<std::string> {
-            const Result<gpu::ShaderText> file = render::shader_text(path);
-            if (!file) return file.error();
-            return file->text;
-        };
-        const gpu::ShaderText fragment = must(gpu::resolve_includes(R"(#version 450 core
-#include "geometry_buffer.glsl"
-layout(binding = 0) uniform sampler2D depth_buffer;
-void main() {
-    float depth = texelFetch(depth_buffer, ivec2(gl_FragCoord.xy), 0).r;
-    if (depth == 0.0) discard;
-    gl_FragDepth = depth;
-    write_surface(vec3(0.0), vec3(0.0, 0.0, 1.0), 1.0, 0.0);
-}
-)",
-                                                                    gpu::ReadText(read)));
-        const gpu::Stage stages[] = {{GL_VERTEX_SHADER, must(render::shader_text("fullscreen.vert"))}, {GL_FRAGMENT_SHADER, fragment}};
-        black_.emplace(must(gpu::Program::link("black ground", stages)));
-    }
-
     const Atmosphere& air() const { return air_; }
     const Tables& tables() const { return tables_; }
 
@@ -90,7 +53,7 @@ void main() {
             Camera camera =
                 look(Viewpoint{.latitude = latitude, .longitude = longitude, .altitude_m = altitude_m, .heading = heading, .pitch = pitch},
                      field_.radius_m);
-            camera.width = width(), camera.height = height();
+            camera.width = columns(), camera.height = rows();
             return camera;
         };
         Question q{looking(30.0 * deg, -dip), looking(75.0 * deg, (90.0 - sun_deg) * deg).forward, {}, {}};
@@ -98,7 +61,7 @@ void main() {
         ground_.begin();
         terrain_.draw(q.camera);
         render::GeometryBuffer::end();
-        q.depth.resize(static_cast<std::size_t>(width() * height()));
+        q.depth.resize(static_cast<std::size_t>(columns() * rows()));
         ground_.depth().read(q.depth);
         q.light.resize(q.depth.size());
         parallel_for(q.depth.size(), [&](std::size_t at) { q.light[at] = light_at(q, at); });
@@ -113,8 +76,7 @@ void main() {
         render::GeometryBuffer::end();
         surfaces_.begin();
         ground_.depth().bind_sampler(0);
-        black_->use();
-        triangle_.draw_triangles(3);
+        black_.draw();
         render::GeometryBuffer::end();
         gpu::PassTimers timers;
         pass.prepare(q.camera, q.sun, timers);
@@ -122,24 +84,18 @@ void main() {
         REQUIRE(pass.draw(surfaces_));
         std::vector<float> pixels(4 * q.depth.size());
         radiance_.read(pixels);
-        std::array<double, 2> difference{}, sum{};
+        std::array<MeanError, 2> errors;
         for (std::size_t at = 0; at < q.depth.size(); ++at)
-            for (std::size_t c = 0; c < 3; ++c) {
-                const std::size_t part = q.depth[at] > 0.0f;
-                difference[part] += std::abs(static_cast<double>(pixels[4 * at + c]) - q.light[at][c]);
-                sum[part] += q.light[at][c];
-            }
-        return {difference[0] / sum[0], difference[1] / sum[1]};
+            for (std::size_t c = 0; c < 3; ++c) errors[q.depth[at] > 0.0f].add(static_cast<double>(pixels[4 * at + c]), q.light[at][c]);
+        return {errors[0].value(), errors[1].value()};
     }
 
 private:
     std::array<double, 3> light_at(const Question& q, std::size_t at) const {
-        const auto w = static_cast<std::size_t>(width());
-        const Vec3 way = direction_at(q.camera, (static_cast<double>(at % w) + 0.5) / width() * 2.0 - 1.0,
-                                      (static_cast<double>(at / w) + 0.5) / height() * 2.0 - 1.0);
-        const Vec3 up = glm::normalize(q.camera.eye);
-        const View view{(glm::length(q.camera.eye) - field_.radius_m) * m, angle_between(way, up), angle_between(q.sun, up),
-                        angle_between(way - glm::dot(way, up) * up, q.sun - glm::dot(q.sun, up) * up)};
+        const auto w = static_cast<std::size_t>(columns());
+        const Vec3 way = direction_at(q.camera, (static_cast<double>(at % w) + 0.5) / columns() * 2.0 - 1.0,
+                                      (static_cast<double>(at / w) + 0.5) / rows() * 2.0 - 1.0);
+        const View view = view_of(q.camera.eye, field_.radius_m, way, q.sun);
         const double depth = static_cast<double>(q.depth[at]);
         const std::vector<double> seen =
             depth == 0.0
@@ -164,14 +120,22 @@ private:
                      .orders = 3};
     Tables tables_ = *cached_tables(air_, wavelengths, bake_, {.folder = cache_.path}, {});
     std::unique_ptr<Sky> sky_ = *make_sky("tables", air_, wavelengths, {.bake = bake_, .cache = {.folder = cache_.path}});
-    render::TerrainPass terrain_ = must(render::TerrainPass::create(field_, {.pixels_per_radian = 0.5 * height() / std::tan(30.0 * deg)}));
-    render::GeometryBuffer ground_ = must(render::GeometryBuffer::create(width(), height())),
-                           surfaces_ = must(render::GeometryBuffer::create(width(), height()));
-    gpu::Texture radiance_{{width(), height()}};
+    render::TerrainPass terrain_ = must(render::TerrainPass::create(field_, {.pixels_per_radian = 0.5 * rows() / std::tan(30.0 * deg)}));
+    render::GeometryBuffer ground_ = must(render::GeometryBuffer::create(columns(), rows())),
+                           surfaces_ = must(render::GeometryBuffer::create(columns(), rows()));
+    gpu::Texture radiance_{{columns(), rows()}};
     gpu::Framebuffer target_ = must(gpu::Framebuffer::create({&radiance_}, &surfaces_.depth()));
     render::CameraBlock camera_;
-    gpu::VertexArray triangle_;
-    std::optional<gpu::Program> black_;
+    FullScreen black_{"black ground", R"(#version 450 core
+#include "geometry_buffer.glsl"
+layout(binding = 0) uniform sampler2D depth_buffer;
+void main() {
+    float depth = texelFetch(depth_buffer, ivec2(gl_FragCoord.xy), 0).r;
+    if (depth == 0.0) discard;
+    gl_FragDepth = depth;
+    write_surface(vec3(0.0), vec3(0.0, 0.0, 1.0), 1.0, 0.0);
+}
+)"};
 };
 
 struct Method {
