@@ -1,10 +1,11 @@
 // What a whole frame takes, pass by pass, by the GPU's own clock: mountains, their shadows and shafts, the air of `airlight`, exposure and
 // tone curve; from the ground, from between peaks and from orbit, by an eye at rest and by one that flies. Tiles near by are there already. The
-// mean of all frames; 640 x 360 and 1920 x 1080.
+// mean of all frames; 640 x 360 and 1920 x 1080. And how often a flight makes anew what frames share.
 
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -45,6 +46,13 @@ Camera camera_on(const Way& way, const HeightField& field, double seconds) {
         field.radius_m);
 }
 
+// 20 degrees high where a flight begins.
+Vec3 sun_over(const HeightField& field, double azimuth_deg) {
+    return look(Viewpoint{.latitude = 36.2 * deg, .longitude = 31.5 * deg, .heading = azimuth_deg * deg, .pitch = 20.0 * deg},
+                field.radius_m)
+        .forward;
+}
+
 Result<render::Frame> frame_over(const HeightField& field, const gpu::Context& context, const Camera& camera) {
     Atmosphere air = *preset("earth-clear");
     air.bottom_radius = field.radius_m * m;
@@ -77,10 +85,7 @@ void frame(benchmark::State& state, Way way) {
         camera.width = camera.height * 16 / 9;
         return camera;
     };
-    const Vec3 sun =
-        look(Viewpoint{.latitude = 36.2 * deg, .longitude = 31.5 * deg, .heading = 300.0 * deg, .pitch = 20.0 * deg}, field.radius_m)
-            .forward;
-    const render::Lights lights{.towards_sun = sun, .sun = Vec3(1.0), .sky = Vec3(0.0)};
+    const render::Lights lights{.towards_sun = sun_over(field, 300.0), .sun = Vec3(1.0), .sky = Vec3(0.0)};
     Result<render::Frame> drawn = frame_over(field, *context, camera_at(0.0));
     const Result<render::ExposurePass> exposure = render::ExposurePass::create();
     const Result<render::TonePass> tone = render::TonePass::create();
@@ -111,13 +116,53 @@ void frame(benchmark::State& state, Way way) {
     state.SetLabel(context->renderer());
 }
 
+// How often a flight of a minute at 60 pictures a second makes anew what pictures share: shadow maps, and tables for a settled eye. It goes
+// straight towards the sun, the way on which an eye's tables hold for the shortest while.
+void made_anew(benchmark::State& state, Way way) {
+    const HeightField field = procedural_height({});
+    const Vec3 sun = sun_over(field, 0.0);
+    constexpr int pictures = 3600;
+    int maps = 0, tables = 0;
+    for ([[maybe_unused]] auto _ : state) {
+        std::array<std::optional<render::Cascade>, render::most_cascades> maps_of;
+        std::optional<render::AirEye> eye;
+        for (int i = 0; i <= pictures; ++i) {
+            Camera camera = camera_on(way, field, i / 60.0);
+            camera.width = 640, camera.height = 360;
+            const std::vector<render::Cascade> cascades =
+                render::cascades(camera, render::light_axes(render::settled_sun(sun)), field, render::ShadowSettings{}.texels);
+            for (const render::Cascade& cascade : cascades) {
+                std::optional<render::Cascade>& map = maps_of[static_cast<std::size_t>(cascade.level % render::most_cascades)];
+                maps += i > 0 && map != cascade;
+                map = cascade;
+            }
+            const double r = glm::length(camera.eye);
+            const render::AirEye now = render::settled({r - field.radius_m, glm::dot(camera.eye, sun) / r});
+            tables += i > 0 && eye != now;
+            eye = now;
+        }
+    }
+    state.counters["maps a second"] = maps / 60.0 / static_cast<double>(state.iterations());
+    state.counters["tables a picture"] = static_cast<double>(tables) / pictures / static_cast<double>(state.iterations());
+}
+
 }  // namespace
 
-#define AIRLIGHT_FRAME(name, ...) \
-    BENCHMARK_CAPTURE(frame, name, Way{__VA_ARGS__})->ArgName("height")->Arg(360)->Arg(1080)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime()
+#define AIRLIGHT_FRAME(name, ...)                    \
+    BENCHMARK_CAPTURE(frame, name, Way{__VA_ARGS__}) \
+        ->ArgName("height")                          \
+        ->Arg(360)                                   \
+        ->Arg(1080)                                  \
+        ->Unit(benchmark::kMillisecond)              \
+        ->MeasureProcessCPUTime()                    \
+        ->UseRealTime()
 AIRLIGHT_FRAME(on_foot_at_rest, 2.0, 3.0, 0.0);
 AIRLIGHT_FRAME(on_foot, 2.0, 3.0, 1.5);
 AIRLIGHT_FRAME(between_peaks_at_rest, 1500.0, -5.0, 0.0);
 AIRLIGHT_FRAME(between_peaks, 1500.0, -5.0, speed_of_sound);
 AIRLIGHT_FRAME(in_orbit_at_rest, 400e3, -25.0, 0.0);
 AIRLIGHT_FRAME(in_orbit, 400e3, -25.0, 7670.0);
+#define AIRLIGHT_MADE_ANEW(name, ...) BENCHMARK_CAPTURE(made_anew, name, Way{__VA_ARGS__})->Iterations(1)->Unit(benchmark::kMillisecond)
+AIRLIGHT_MADE_ANEW(on_foot, 2.0, 3.0, 1.5);
+AIRLIGHT_MADE_ANEW(between_peaks, 1500.0, -5.0, speed_of_sound);
+AIRLIGHT_MADE_ANEW(in_orbit, 400e3, -25.0, 7670.0);
