@@ -63,14 +63,16 @@ Surface surface_at(ivec2 pixel, vec3 direction) {
     return surface;
 }
 
-// The sky in water. Of a method that does not know the moon a share is `lit`.
+// The sky in water. Of a method that does not know the moon a share is `lit`. The light between the stars is that of all directions in the
+// mean, twice what air scatters of it.
 vec3 mirrored_sky(Surface surface, vec3 direction, vec3 lit, AirSeen seen) {
     Mirror mirror = mirror_of(surface.normal, surface.up, -direction, surface.material.r);
     AirLight sky = air_sky(seen, surface.position, surface.up, surface.h, mirror.direction);
 #ifdef AIR_KNOWS_THE_MOON
     lit = vec3(1.0);
 #endif
-    return surface.material.g * mirror.share * lit * colour_of(seen.transmittance * sky);
+    vec3 night = colour_through(2.0 * night_scattered.rgb, seen.transmittance);
+    return surface.material.g * mirror.share * (lit * colour_of(seen.transmittance * sky) + night);
 }
 
 void main() {
