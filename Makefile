@@ -13,7 +13,7 @@ help:
 	@echo 'make models    every model against the reference: docs/models.md, and out/models/report.html (shows the time left; goes on if stopped)'
 	@echo 'make models-grounds  the same for other grounds and turbid air: docs/models-grounds.md (about ten minutes; goes on if stopped)'
 	@echo 'make figures   the pictures of docs/gallery.md, in docs/images/figures (three minutes; goes on if stopped)'
-	@echo 'make gallery   the other pictures of docs/gallery.md, in docs/images/gallery (five minutes; goes on if stopped)'
+	@echo 'make gallery   the other pictures of docs/gallery.md, in docs/images/gallery (three minutes; goes on if stopped)'
 	@echo 'make golden    makes the golden pictures of the tests anew (tests/golden), where the new look is meant'
 	@echo 'make bench     benchmarks'
 	@echo 'make fuzz      fuzz every parser of files from strangers, FUZZ_SECONDS=60 each'

@@ -85,14 +85,14 @@ Result<SceneFrames> SceneFrames::create(const Scene& said, std::span<const Pictu
         std::make_unique<Parts>(Parts{std::move(context), std::move(scene), *std::move(placed), std::move(times), *std::move(frame)}));
 }
 
-Result<DrawnFrame> SceneFrames::draw(std::size_t picture) {
+Result<DrawnFrame> SceneFrames::draw(std::size_t picture, int sample, int samples) {
     Scene scene = parts_->scene;
     if (const std::optional<Utc>& time = parts_->times[picture]) {
         set_time(scene, *time);
         scene.sun.distance_au = parts_->scene.sun.distance_au;  // the air's light was made for it
         parts_->frame.take(stars_of(scene));
     }
-    Result<Image> image = parts_->frame.draw(parts_->cameras[picture], lights_of(scene));
+    Result<Image> image = parts_->frame.draw(sampled(parts_->cameras[picture], sample, samples), lights_of(scene));
     if (!image) return image.error();
     bring_into_gamut(*image);
     return drawn_with_figures(std::move(*image), *parts_->context, parts_->frame);

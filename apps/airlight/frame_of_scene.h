@@ -46,8 +46,8 @@ public:
     SceneFrames& operator=(SceneFrames&&) noexcept;
     ~SceneFrames();
 
-    // The picture of this number. Fails if the GPU was reset.
-    Result<DrawnFrame> draw(std::size_t picture);
+    // The picture of this number, or one of the samples of its pixels (camera.h, sampled()). Fails if the GPU was reset.
+    Result<DrawnFrame> draw(std::size_t picture, int sample = 0, int samples = 1);
 
 private:
     struct Parts;

@@ -14,6 +14,8 @@ Result<SceneFrames> SceneFrames::create(const Scene&, std::span<const Picture>, 
                  "Build it with libepoxy-dev and libegl-dev, and -DAIRLIGHT_GPU=ON."};
 }
 
-Result<DrawnFrame> SceneFrames::draw(std::size_t) { return Error{"airlight render", "this airlight was built without OpenGL.", ""}; }
+Result<DrawnFrame> SceneFrames::draw(std::size_t, int, int) {
+    return Error{"airlight render", "this airlight was built without OpenGL.", ""};
+}
 
 }  // namespace airlight::cli

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -34,6 +36,8 @@ namespace {
 // Of a path: their names have five digits.
 constexpr int most_pictures = 100'000;
 
+constexpr int most_samples = 64;
+
 struct RenderOptions {
     std::string scene;
     std::vector<std::string> outputs;
@@ -41,6 +45,7 @@ struct RenderOptions {
     double rate = 25.0;
     int width = 1280;
     int height = 720;
+    int samples = 1;
     std::string air;
     std::string shafts;
     std::string exposure = "auto";
@@ -115,6 +120,9 @@ Result<Wishes> wishes_of(const RenderOptions& given) {
     if (given.width < 1 || given.height < 1 || given.width > 16384 || given.height > 16384)
         return Error{"--width, --height", fmt::format("{} x {} is out of range: each must be from 1 to 16384", given.width, given.height),
                      ""};
+    if (given.samples < 1 || given.samples > most_samples || !std::has_single_bit(static_cast<unsigned>(given.samples)))
+        return Error{"--samples", fmt::format("{} is none of 1, 2, 4, 8, 16, 32 and 64", given.samples),
+                     "4 smooth edges, 16 make thin lines even."};
     const std::optional<ToneCurve> tone = tone_curve_named(given.tone);
     if (!tone) return Error{"--tone", fmt::format("\"{}\" is none of: {}", given.tone, tone_curve_names), ""};
     if (const Result<Done> possible = check_outputs(given); !possible) return possible.error();
@@ -146,12 +154,35 @@ double exposure_of(const Image& image, const Wishes& wishes) {
     return found ? *found : 1.0;
 }
 
-Result<Done> write(const std::string& path, const Image& image, const RenderOptions& given, const Wishes& wishes) {
-    if (std::filesystem::path(path).extension() == ".png")
-        return write_png(path, developed(image, exposure_of(image, wishes), wishes.tone));
+// The means of a picture's samples. A screen's light is averaged, too, after the tone curve, or the edge of the sun would be white wherever a
+// sample of a pixel met it. The first sample's exposure holds for all.
+struct Seen {
+    Image light;    // cd m-2
+    Image display;  // [0, 1], linear
+    double exposure;
+    Figures figures;  // of the last sample
+};
+
+Result<Seen> seen(SceneFrames& frames, std::size_t number, const RenderOptions& given, const Wishes& wishes,
+                  const std::function<double(const Image&)>& expose) {
+    Seen mean{Image(given.width, given.height, 3), Image(given.width, given.height, 3), 0.0, {}};
+    const float share = 1.0f / static_cast<float>(given.samples);
+    for (int sample = 0; sample < given.samples; ++sample) {
+        const Result<DrawnFrame> drawn = frames.draw(number, sample, given.samples);
+        if (!drawn) return drawn.error();
+        if (sample == 0) mean.exposure = expose(drawn->image);
+        add_share(mean.light, drawn->image, share);
+        add_share(mean.display, developed(drawn->image, mean.exposure, wishes.tone), share);
+        mean.figures = drawn->figures;
+    }
+    return mean;
+}
+
+Result<Done> write(const std::string& path, const Seen& picture, const RenderOptions& given) {
+    if (std::filesystem::path(path).extension() == ".png") return write_png(path, picture.display);
     ImageMeaning meaning = ImageMeaning::rgb(RgbSpace::srgb);
     meaning.notes = {{"airlight:scene", given.scene}};
-    return write_exr(path, image, meaning, ExrPixels::float16);
+    return write_exr(path, picture.light, meaning, ExrPixels::float16);
 }
 
 void print(const Figures& figures) {
@@ -168,8 +199,9 @@ std::string file_stamp(const std::filesystem::path& path) {
 
 // All that the pictures of a path are a function of.
 Result<std::string> ingredients_of(const RenderOptions& given, const Scene& scene) {
-    std::string made_of = fmt::format("{} {}x{} {} {} {} {} {} {} {}\n", AIRLIGHT_VERSION, given.width, given.height, given.rate,
-                                      given.exposure, given.tone, given.air, given.shafts, given.tables.orders, given.tables.sizes);
+    std::string made_of =
+        fmt::format("{} {}x{} {} {} {} {} {} {} {} {}\n", AIRLIGHT_VERSION, given.width, given.height, given.samples, given.rate,
+                    given.exposure, given.tone, given.air, given.shafts, given.tables.orders, given.tables.sizes);
     for (const std::string& file : {given.scene, given.path}) {
         const Result<std::string> text = read_file(file);
         if (!text) return text.error();
@@ -239,13 +271,13 @@ Result<Done> run_path(const RenderOptions& given, const Wishes& wishes) {
         for (std::size_t number = kept; number < times.size(); ++number) {
             wishes.tables.progress.report("pictures", static_cast<double>(number) / static_cast<double>(times.size()));
             if (wishes.tables.progress.stop.stop_requested()) return interrupted();
-            const Result<DrawnFrame> drawn = frames->draw(number);
-            if (!drawn) return drawn.error();
-            const double exposure = followed_exposure(drawn->image, wishes, folder->exposures(), given.rate);
-            if (const Result<Done> written = write_png(folder->picture(number), developed(drawn->image, exposure, wishes.tone)); !written)
-                return written.error();
-            if (const Result<Done> noted = folder->add(exposure); !noted) return noted.error();
-            figures = drawn->figures;
+            const Result<Seen> picture = seen(*frames, number, given, wishes, [&](const Image& image) {
+                return followed_exposure(image, wishes, folder->exposures(), given.rate);
+            });
+            if (!picture) return picture.error();
+            if (const Result<Done> written = write_png(folder->picture(number), picture->display); !written) return written.error();
+            if (const Result<Done> noted = folder->add(picture->exposure); !noted) return noted.error();
+            figures = picture->figures;
         }
     }
     if (video) {
@@ -262,12 +294,12 @@ Result<Done> run_picture(const RenderOptions& given, const Wishes& wishes) {
     Result<SceneFrames> frames =
         SceneFrames::create(wishes.scene, std::array{Picture{wishes.scene.camera}}, given.width, given.height, wishes.tables);
     if (!frames) return frames.error();
-    const Result<DrawnFrame> drawn = frames->draw(0);
-    if (!drawn) return drawn.error();
+    const Result<Seen> picture = seen(*frames, 0, given, wishes, [&](const Image& image) { return exposure_of(image, wishes); });
+    if (!picture) return picture.error();
     for (const std::string& path : given.outputs)
-        if (const Result<Done> written = write(path, drawn->image, given, wishes); !written) return written.error();
+        if (const Result<Done> written = write(path, *picture, given); !written) return written.error();
     fmt::print("quantity,value,unit\n");
-    print(drawn->figures);
+    print(picture->figures);
     for (const std::string& path : given.outputs) fmt::print("file,{},\n", path);
     return Done{};
 }
@@ -298,6 +330,9 @@ Command render_command(CLI::App& airlight) {
     render->add_option("--rate", given->rate, "of a path, in pictures a second")->option_text("<n>")->capture_default_str();
     render->add_option("--width", given->width, "of the picture, in pixels")->option_text("<n>")->capture_default_str();
     render->add_option("--height", given->height, "of the picture, in pixels")->option_text("<n>")->capture_default_str();
+    render->add_option("--samples", given->samples, "of each pixel, for smooth edges: 1, 2, 4, ... 64, each of which takes as long as one")
+        ->option_text("<n>")
+        ->capture_default_str();
     render
         ->add_option("--air", given->air,
                      "how the light of the air is computed: airlight, hillaire2020, bruneton2008 or exact (default: what the scene says)")

@@ -1,9 +1,35 @@
 #include "camera/camera.h"
 
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 
 namespace airlight {
+
+namespace {
+
+// A number below one: the first dimension of Sobol's sequence is radical inversion, by halves of the half before; of the second each
+// direction is the one before, added to itself shifted by a digit, without carry.
+double sobol(int n, bool second) {
+    std::uint32_t digits = 0, direction = std::uint32_t{1} << 31;
+    for (auto left = static_cast<std::uint32_t>(n); left > 0; left >>= 1) {
+        if (left & 1) digits ^= direction;
+        direction = second ? direction ^ (direction >> 1) : direction >> 1;
+    }
+    return std::ldexp(static_cast<double>(digits), -32);
+}
+
+}  // namespace
+
+Camera sampled(const Camera& camera, int sample, int samples) {
+    assert(std::has_single_bit(static_cast<unsigned>(samples)) && sample >= 0 && sample < samples);
+    const double middle = 0.5 / samples - 0.5;
+    Camera shifted = camera;
+    shifted.shift_x += sobol(sample, false) + middle;
+    shifted.shift_y += sobol(sample, true) + middle;
+    return shifted;
+}
 
 HalfSize half_size(const Camera& camera) {
     const double height = std::tan(0.5 * camera.vertical_field_of_view);
@@ -39,13 +65,17 @@ double pixels_per_radian(const Camera& camera) { return 0.5 * camera.height / ha
 
 Frustum frustum(const Camera& camera) {
     const HalfSize half = half_size(camera);
-    return {glm::normalize(half.width * camera.forward + camera.right), glm::normalize(half.width * camera.forward - camera.right),
-            glm::normalize(half.height * camera.forward + camera.up), glm::normalize(half.height * camera.forward - camera.up)};
+    const double x = 2.0 * camera.shift_x / camera.width, y = 2.0 * camera.shift_y / camera.height;
+    return {glm::normalize((1.0 - x) * half.width * camera.forward + camera.right),
+            glm::normalize((1.0 + x) * half.width * camera.forward - camera.right),
+            glm::normalize((1.0 - y) * half.height * camera.forward + camera.up),
+            glm::normalize((1.0 + y) * half.height * camera.forward - camera.up)};
 }
 
 Vec3 direction_at(const Camera& camera, double x, double y) {
     const HalfSize half = half_size(camera);
-    return glm::normalize(camera.forward + x * half.width * camera.right + y * half.height * camera.up);
+    const double across = x + 2.0 * camera.shift_x / camera.width, up = y + 2.0 * camera.shift_y / camera.height;
+    return glm::normalize(camera.forward + across * half.width * camera.right + up * half.height * camera.up);
 }
 
 }  // namespace airlight

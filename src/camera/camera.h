@@ -15,7 +15,14 @@ struct Camera {
     Vec3 right, up, forward;
     double vertical_field_of_view = 60.0 * deg;  // between the middles of the upper and lower edges, 0 < field < 180 deg
     int width = 1280, height = 720;
+    double shift_x = 0.0, shift_y = 0.0;  // pixels that the picture's middle lies to the right of and above what `forward` points at
 };
+
+// The camera shifted so that the middles of its pixels are at one of the samples of the pixels: the mean of these pictures has smooth edges.
+//   sample    0 <= sample < samples
+//   samples   a power of two: each of as many columns of a pixel, and of as many rows, has one sample [KolligKeller2002, the (0,2)-sequence
+//             of Sobol's first two dimensions]; the only one of one is the camera itself
+Camera sampled(const Camera& camera, int sample, int samples);
 
 // Half of the picture's height and width, on a plane at distance 1.
 struct HalfSize {

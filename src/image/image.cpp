@@ -31,6 +31,12 @@ std::span<float> Image::pixel(int column, int row) {
 
 std::span<const float> Image::pixel(int column, int row) const { return const_cast<Image*>(this)->pixel(column, row); }
 
+void add_share(Image& sum, const Image& more, float share) {
+    assert(sum.width == more.width && sum.height == more.height && sum.channels == more.channels);
+    std::transform(sum.values.begin(), sum.values.end(), more.values.begin(), sum.values.begin(),
+                   [share](float a, float b) { return a + share * b; });
+}
+
 Result<Done> check_values(const Image& image, std::span<const std::string> channel_names, float lowest, float highest,
                           std::string_view rule) {
     assert(channel_names.size() == static_cast<std::size_t>(image.channels));

@@ -32,6 +32,9 @@ struct Image {
     std::vector<float> values;
 };
 
+// Adds a share of another image of the same shape: the mean of several is the sum of their equal shares.
+void add_share(Image& sum, const Image& more, float share);
+
 // Fails, naming the first pixel and its channel, if a value is not within [lowest, highest]; NaN never is.
 // `channel_names` has one name a channel; `rule` says what values are, such as "radiance is finite and not negative".
 Result<Done> check_values(const Image& image, std::span<const std::string> channel_names, float lowest, float highest,

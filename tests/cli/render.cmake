@@ -22,6 +22,7 @@ airlight_cli_test("render: a raster without georeference is told, and how to giv
   ERR "ground/no-place.pgm: it does not say where on the planet it lies" "gdal_translate -a_srs EPSG:4326" COMMAND render ${grounds}/no-place.toml -o m.png)
 airlight_cli_test("render: a file that is neither EXR nor PNG is refused" EXIT 1 ERR "^m.jpg: is neither" COMMAND render ${mountains} -o m.jpg)
 airlight_cli_test("render: a picture of no size is refused" EXIT 1 ERR "0 x 720 is out of range" COMMAND render ${mountains} --width 0 -o m.png)
+airlight_cli_test("render: samples that are no power of two are refused" EXIT 1 ERR "^--samples: 3 is none of 1, 2, 4" COMMAND render ${mountains} --samples 3 -o m.png)
 airlight_cli_test("render: an exposure that is none is refused" EXIT 1 ERR "^--exposure: \"bright\"" COMMAND render ${mountains} --exposure bright -o m.png)
 if(AIRLIGHT_GPU)
   airlight_cli_test("render: a scene without air is drawn without it" OUT "^pass light,[0-9.]+,ms$"

@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <set>
+#include <tuple>
 
 #include "camera/camera.h"
 
@@ -42,4 +44,42 @@ TEST_CASE("the frustum holds what the picture shows, to its edges") {
     // In the middle, a pixel is as wide as 1 / pixels_per_radian.
     CHECK(std::acos(glm::dot(direction_at(c, 0, 0), direction_at(c, 2.0 / 300.0, 0))) ==
           doctest::Approx(1.0 / pixels_per_radian(c)).epsilon(1e-4));
+}
+
+TEST_CASE("of the samples of a pixel one is in each of as many columns and rows, and their mean is its middle") {
+    Camera c = look(Vec3(5, 6, 7), Vec3(1, 1, -2), Vec3(0, 0, 1));
+    CHECK(sampled(c, 0, 1).shift_x == 0.0);
+    CHECK(sampled(c, 0, 1).shift_y == 0.0);
+    for (const int samples : {1, 2, 4, 16, 64}) {
+        std::set<double> columns, rows;
+        double x = 0.0, y = 0.0;
+        for (int n = 0; n < samples; ++n) {
+            const Camera s = sampled(c, n, samples);
+            columns.insert((s.shift_x + 0.5) * samples - 0.5);
+            rows.insert((s.shift_y + 0.5) * samples - 0.5);
+            x += s.shift_x, y += s.shift_y;
+        }
+        CHECK(x == 0.0);
+        CHECK(y == 0.0);
+        for (const std::set<double>& places : {columns, rows}) {
+            CHECK(places.size() == static_cast<std::size_t>(samples));
+            CHECK(*places.begin() == 0.0);
+            CHECK(*places.rbegin() == samples - 1.0);
+        }
+    }
+}
+
+TEST_CASE("a camera that is shifted by a pixel sees in each what the next one saw, and no more") {
+    Camera c = look(Vec3(5, 6, 7), Vec3(1, 1, -2), Vec3(0, 0, 1));
+    c.width = 300, c.height = 200, c.vertical_field_of_view = 70.0 * deg;
+    Camera right = c, up = c;
+    right.shift_x = 1.0, up.shift_y = 1.0;
+    for (const double x : {-1.0, -0.2, 0.9})
+        for (const double y : {-1.0, 0.3, 0.98}) {
+            CHECK(glm::length(direction_at(right, x, y) - direction_at(c, x + 2.0 / 300.0, y)) < 1e-15);
+            CHECK(glm::length(direction_at(up, x, y) - direction_at(c, x, y + 2.0 / 200.0)) < 1e-15);
+        }
+    for (const Camera& shifted : {right, up})
+        for (const auto& [x, y, plane] : {std::tuple{-1.0, 0.4, 0}, {1.0, 0.4, 1}, {0.4, -1.0, 2}, {0.4, 1.0, 3}})
+            CHECK(std::abs(glm::dot(frustum(shifted)[static_cast<std::size_t>(plane)], direction_at(shifted, x, y))) < 1e-15);
 }

@@ -23,10 +23,10 @@ void main() {
     bool hidden = seen_at < eye_up.w || (towards_moon.w > 0.0 && angle_between(direction, towards_moon.xyz) < towards_moon.w) ||
                   angle_between(direction, towards_sun.xyz) < towards_sun.w;
     vec3 seen = raised(direction, seen_at - elevation);
-    float ahead = dot(seen, camera_forward.xyz);
+    vec4 clip = clip_position(seen);
+    float ahead = clip.w;
     gl_PointSize = 2.0;
-    gl_Position = hidden ? vec4(0.0, 0.0, 0.0, -1.0)
-                         : vec4(dot(seen, camera_right.xyz) / camera_lens.x, dot(seen, camera_up.xyz) / camera_lens.y, 0.0, ahead);
+    gl_Position = hidden ? vec4(0.0, 0.0, 0.0, -1.0) : vec4(clip.xy, 0.0, ahead);
     centre = (0.5 * gl_Position.xy / gl_Position.w + 0.5) * pixel.yz;
     // A pixel beside the middle spans less of the sky.
     radiance_of_pixel = stars[2 * gl_VertexID + 1].rgb / (pixel.x * pixel.x * ahead * ahead * ahead);
