@@ -49,15 +49,16 @@ struct Scene {
     Result<render::GeometryBuffer> surfaces = render::GeometryBuffer::create(width, height);
     Result<render::TerrainPass> terrain =
         render::TerrainPass::create(field, {.pixels_per_radian = pixels_per_radian(camera), .pixels_of_square = 5.0}, {.gpu_tiles = 4096});
+    Result<render::ObjectPass> objects = render::ObjectPass::create({});
     Result<render::ShadowPass> shadows = render::ShadowPass::create();
 
     bool ready() {
-        if (!surfaces || !terrain || !shadows) return false;
+        if (!surfaces || !terrain || !objects || !shadows) return false;
         block.bind(camera);
         surfaces->begin();
         terrain->draw(camera);
         render::GeometryBuffer::end();
-        shadows->draw(*terrain, camera, sun);
+        shadows->draw(*terrain, *objects, camera, sun);
         return true;
     }
 };
@@ -70,7 +71,7 @@ void shadow_maps(benchmark::State& state) {
     for ([[maybe_unused]] auto _ : state) {
         // Another sun: no map stays.
         scene.sun = glm::normalize(scene.sun + 1e-3 * scene.camera.up);
-        scene.shadows->draw(*scene.terrain, scene.camera, scene.sun);
+        scene.shadows->draw(*scene.terrain, *scene.objects, scene.camera, scene.sun);
         glFinish();
     }
     state.counters["cascades"] = static_cast<double>(scene.shadows->cascades().size());

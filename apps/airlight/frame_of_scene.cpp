@@ -63,6 +63,8 @@ Result<SceneFrames> SceneFrames::create(const Scene& said, std::span<const Pictu
     if (!ground) return ground.error();
     const Result<GroundColour> colour = colour_of(scene);
     if (!colour) return colour.error();
+    const Result<std::vector<Object>> objects = objects_of(scene, *ground);
+    if (!objects) return objects.error();
     Result<std::vector<Camera>> placed = cameras_of(scene, pictures, *ground, width, height);
     if (!placed) return placed.error();
     const Result<std::optional<Atmosphere>> air = air_of(scene);
@@ -76,8 +78,8 @@ Result<SceneFrames> SceneFrames::create(const Scene& said, std::span<const Pictu
     if (!pass) return pass.error();
     Result<render::ShaftsPass> shafts = shafts_pass_of(*air, scene, width, height);
     if (!shafts) return shafts.error();
-    Result<render::Frame> frame =
-        render::Frame::create(*context, *ground, *colour, narrowest(*placed), *std::move(pass), *std::move(shafts), stars_of(scene));
+    Result<render::Frame> frame = render::Frame::create(*context, *ground, *colour, narrowest(*placed), *std::move(pass),
+                                                        *std::move(shafts), stars_of(scene), {}, *objects);
     if (!frame) return frame.error();
     std::vector<std::optional<Utc>> times;
     for (const Picture& picture : pictures) times.push_back(picture.time);

@@ -208,10 +208,14 @@ Result<std::string> ingredients_of(const RenderOptions& given, const Scene& scen
         made_of += *text + '\0';
     }
     const std::filesystem::path beside = std::filesystem::path(scene.file).parent_path();
-    for (const std::filesystem::path& file :
-         {scene.ground.elevation.value_or(""), scene.ground.surface.value_or(""), beside / scene.atmosphere,
-          std::filesystem::path(scene.atmosphere), beside / scene.weather, std::filesystem::path(scene.weather)})
-        made_of += file.string() + ' ' + file_stamp(file) + '\n';
+    std::vector<std::filesystem::path> files = {scene.ground.elevation.value_or(""),
+                                                scene.ground.surface.value_or(""),
+                                                beside / scene.atmosphere,
+                                                std::filesystem::path(scene.atmosphere),
+                                                beside / scene.weather,
+                                                std::filesystem::path(scene.weather)};
+    for (const ObjectScene& object : scene.objects) files.push_back(object.mesh);
+    for (const std::filesystem::path& file : files) made_of += file.string() + ' ' + file_stamp(file) + '\n';
     return made_of;
 }
 

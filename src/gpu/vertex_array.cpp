@@ -33,9 +33,9 @@ VertexArray VertexArray::indexed(const Buffer& indices) {
     return array;
 }
 
-void VertexArray::draw_triangles(int vertices) const {
+void VertexArray::draw_triangles(int vertices, int instances) const {
     glBindVertexArray(name());
-    glDrawArrays(GL_TRIANGLES, 0, vertices);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, vertices, instances);
 }
 
 void VertexArray::draw_points(int vertices) const {

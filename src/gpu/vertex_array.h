@@ -31,7 +31,7 @@ public:
     static VertexArray indexed(const Buffer& indices);
 
     // Draws triangles, three vertices (or indices) each, `instances` times, or points, into the bound framebuffer with the program in use.
-    void draw_triangles(int vertices) const;
+    void draw_triangles(int vertices, int instances = 1) const;
     void draw_points(int vertices) const;
     void draw_indexed(int indices, int instances = 1) const;
 

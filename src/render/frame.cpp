@@ -42,12 +42,14 @@ public:
 
 Result<Frame> Frame::create(const gpu::Context& context, const HeightField& ground, const GroundColour& colour, const Camera& like,
                             std::optional<AirPass> air, std::optional<ShaftsPass> shafts, std::span<const Star> stars,
-                            std::shared_ptr<TileStore> tiles) {
+                            std::shared_ptr<TileStore> tiles, std::span<const Object> objects) {
     const DetailSettings detail{.pixels_per_radian = pixels_per_radian(like), .pixels_of_error = 2.0, .pixels_of_square = 8.0};
     Result<TerrainPass> terrain = TerrainPass::create(ground, detail, {}, std::move(tiles));
     if (!terrain) return terrain.error();
     Result<GroundPass> looks = GroundPass::create(ground, colour);
     if (!looks) return looks.error();
+    Result<ObjectPass> bodies = ObjectPass::create(objects);
+    if (!bodies) return bodies.error();
     Result<LightPass> light = LightPass::create();
     if (!light) return light.error();
     Result<ShadowPass> shadows = ShadowPass::create();
@@ -59,16 +61,18 @@ Result<Frame> Frame::create(const gpu::Context& context, const HeightField& grou
     gpu::Texture radiance({like.width, like.height});
     Result<gpu::Framebuffer> target = gpu::Framebuffer::create({&radiance}, &surfaces->depth());
     if (!target) return target.error();
-    return Frame(context, std::move(*terrain), std::move(*looks), std::move(*light), std::move(air), std::move(*shadows), std::move(shafts),
-                 std::move(*background), std::move(*surfaces), std::move(radiance), std::move(*target));
+    return Frame(context, std::move(*terrain), std::move(*looks), std::move(*bodies), std::move(*light), std::move(air),
+                 std::move(*shadows), std::move(shafts), std::move(*background), std::move(*surfaces), std::move(radiance),
+                 std::move(*target));
 }
 
-Frame::Frame(const gpu::Context& context, TerrainPass terrain, GroundPass ground, LightPass light, std::optional<AirPass> air,
-             ShadowPass shadows, std::optional<ShaftsPass> shafts, BackgroundPass background, GeometryBuffer surfaces,
-             gpu::Texture radiance, gpu::Framebuffer target)
+Frame::Frame(const gpu::Context& context, TerrainPass terrain, GroundPass ground, ObjectPass objects, LightPass light,
+             std::optional<AirPass> air, ShadowPass shadows, std::optional<ShaftsPass> shafts, BackgroundPass background,
+             GeometryBuffer surfaces, gpu::Texture radiance, gpu::Framebuffer target)
     : context_(&context),
       terrain_(std::move(terrain)),
       ground_(std::move(ground)),
+      objects_(std::move(objects)),
       light_(std::move(light)),
       air_(std::move(air)),
       shadows_(std::move(shadows)),
@@ -92,6 +96,10 @@ Result<Done> Frame::render(const Camera& camera, const Lights& lights, const std
         const auto pass = timers_.time("terrain");
         surfaces_.begin();
         terrain_.draw(camera);
+    }
+    {
+        const auto pass = timers_.time("objects");
+        objects_.draw();
     }
     {
         const auto pass = timers_.time("ground");
@@ -127,7 +135,7 @@ const BendingTable& Frame::bending(const Camera& camera) {
 void Frame::draw_shade(const Camera& camera, Vec3 towards_sun) {
     {
         const auto pass = timers_.time("shadows");
-        shadows_.draw(terrain_, camera, towards_sun);
+        shadows_.draw(terrain_, objects_, camera, towards_sun);
     }
     const auto pass = timers_.time("shafts");
     shafts_->draw(surfaces_, shadows_, camera);

@@ -1,4 +1,4 @@
-// A frame: its passes in their order, from a ground and a camera to an image.
+// A frame: its passes in their order, from a ground, objects and a camera to an image.
 // Uses the passes of this module and image.
 #pragma once
 
@@ -14,6 +14,7 @@
 #include "render/camera_block.h"
 #include "render/ground_pass.h"
 #include "render/light_pass.h"
+#include "render/object_pass.h"
 #include "render/shafts_pass.h"
 #include "render/terrain_pass.h"
 
@@ -26,11 +27,11 @@ struct Rows {
 
 class Frame {
 public:
-    // For pictures of this size and field of view, under these stars; `context` outlives it. Without `shafts` nothing casts a shadow; shafts that have an air
+    // For pictures of this size and field of view, with these objects, under these stars; `context` outlives it. Without `shafts` nothing casts a shadow; shafts that have an air
     // need `air`. `tiles`: of the same ground, those of another frame; without them, they are built.
     static Result<Frame> create(const gpu::Context& context, const HeightField& ground, const GroundColour& colour, const Camera& like,
                                 std::optional<AirPass> air, std::optional<ShaftsPass> shafts = {}, std::span<const Star> stars = {},
-                                std::shared_ptr<TileStore> tiles = {});
+                                std::shared_ptr<TileStore> tiles = {}, std::span<const Object> objects = {});
 
     // Red, green and blue of each pixel: with air, in cd m-2, and the lights' irradiances do not count; without, in the unit
     // of the lights a steradian, black where there is nothing. The camera has the size that the frame was made for. Fails if the GPU was
@@ -59,9 +60,9 @@ public:
     const std::shared_ptr<TileStore>& tiles() const { return terrain_.tiles(); }
 
 private:
-    Frame(const gpu::Context& context, TerrainPass terrain, GroundPass ground, LightPass light, std::optional<AirPass> air,
-          ShadowPass shadows, std::optional<ShaftsPass> shafts, BackgroundPass background, GeometryBuffer surfaces, gpu::Texture radiance,
-          gpu::Framebuffer target);
+    Frame(const gpu::Context& context, TerrainPass terrain, GroundPass ground, ObjectPass objects, LightPass light,
+          std::optional<AirPass> air, ShadowPass shadows, std::optional<ShaftsPass> shafts, BackgroundPass background,
+          GeometryBuffer surfaces, gpu::Texture radiance, gpu::Framebuffer target);
 
     const BendingTable& bending(const Camera& camera);
     void draw_shade(const Camera& camera, Vec3 towards_sun);
@@ -71,6 +72,7 @@ private:
     CameraBlock camera_;
     TerrainPass terrain_;
     GroundPass ground_;
+    ObjectPass objects_;
     LightPass light_;
     std::optional<AirPass> air_;
     ShadowPass shadows_;

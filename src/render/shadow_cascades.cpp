@@ -18,10 +18,10 @@ constexpr int margin_texels = 4;
 constexpr double penumbra_share = 1e-3;
 
 // The smallest ball about a point of the view's axis that holds what lies between two distances from the eye and within `angle` of it.
-struct Ball {
+struct PartOfView {
     double along_m, radius_m;
 };
-Ball ball_of(double from_m, double to_m, double angle) {
+PartOfView part_of_view(double from_m, double to_m, double angle) {
     const double along = std::min(0.5 * (from_m + to_m) / std::cos(angle), to_m * std::cos(angle));
     return {along, std::sqrt(std::max(0.0, along * along + to_m * to_m - 2.0 * along * to_m * std::cos(angle)))};
 }
@@ -42,7 +42,7 @@ Vec3 nearest_multiple(Vec3 x, double step) {
 Cascade cascade_of(int level, double to_m, const Camera& camera, const LightAxes& axes, double caster_m, int texels) {
     const double from_m = level == 0 ? 0.0 : to_m / ratio;
     const HalfSize half = half_size(camera);
-    const Ball ball = ball_of(from_m, to_m, std::atan(std::hypot(half.width, half.height)));
+    const PartOfView ball = part_of_view(from_m, to_m, std::atan(std::hypot(half.width, half.height)));
     const int texels_of_step = texels / 9;
     const double texel = 2.0 * ball.radius_m / (texels - 2 * margin_texels - texels_of_step), step = texels_of_step * texel;
     const Vec3 middle = camera.eye + ball.along_m * camera.forward;
@@ -69,11 +69,17 @@ LightAxes light_axes(Vec3 towards_sun) {
 
 Vec3 settled_sun(Vec3 towards_sun) { return glm::normalize(nearest_multiple(towards_sun, 1e-4)); }
 
-std::vector<Cascade> cascades(const Camera& camera, const LightAxes& axes, const HeightField& field, int texels) {
+std::vector<Cascade> cascades(const Camera& camera, const LightAxes& axes, const HeightField& field, int texels,
+                              std::span<const Ball> objects) {
     const double r = glm::length(camera.eye);
     const Interval ground = ground_radii(field);
-    const double nearest = r - ground.high;
-    const double farthest = tangent_m(std::max(r, ground.low), ground.low) + tangent_m(ground.high, ground.low);
+    double nearest = r - ground.high;
+    double farthest = tangent_m(std::max(r, ground.low), ground.low) + tangent_m(ground.high, ground.low);
+    for (const Ball& object : objects) {
+        const double distance = glm::length(object.centre - camera.eye);
+        nearest = std::min(nearest, distance - object.radius_m);
+        farthest = std::max(farthest, distance + object.radius_m);
+    }
     // The longest way of light over the ground, from peak to peak.
     const double caster = 2.0 * tangent_m(ground.high, ground.low);
     std::vector<Cascade> all;

@@ -2,6 +2,7 @@
 // [Engel2006; Valient2008]. docs/decisions/0013-shadows.md. Uses camera and terrain; knows no GPU.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "camera/camera.h"
@@ -27,20 +28,29 @@ struct Cascade {
     Vec3 centre;          // of the square, and of those points
     double half_width_m;  // of the square
     double texel_m;
-    double lowest_m, highest_m;  // along the light: half of the square's width below its centre; no ground before the sun is higher
+    // Along the light: half of the square's width below its centre; no ground before the sun is higher, and objects that are cast from there.
+    double lowest_m, highest_m;
 
     friend bool operator==(const Cascade&, const Cascade&) = default;
 };
 
 inline constexpr int most_cascades = 8;
 
+// What holds an object that stands free of the ground.
+struct Ball {
+    Vec3 centre;  // m from the planet's centre
+    double radius_m;
+};
+
 // Distances double twice from cascade to cascade, from 64 m on: they are the same whatever the eye does, and so are the sizes of texels.
 //   field    of the ground that casts the shadows
 //   texels   along a square's side
-// Cascades begin with the nearest in which there may be ground and end with the farthest; at most most_cascades, none if there is none.
+//   objects  that cast and take shadows as well
+// Cascades begin with the nearest in which there may be ground or an object and end with the farthest; at most most_cascades, none if there is none.
 // A square stands at one of those places that are an eighth of its width apart, and its eye at one of those a 32nd of its farthest distance
 // apart: so that they stay while the camera moves less.
-std::vector<Cascade> cascades(const Camera& camera, const LightAxes& axes, const HeightField& field, int texels);
+std::vector<Cascade> cascades(const Camera& camera, const LightAxes& axes, const HeightField& field, int texels,
+                              std::span<const Ball> objects = {});
 
 // What may shade a point of a cascade, as fine as its map can show: the ground in the column of its square, from its least height on. Patches
 // are left coarser than the eye's where what they leave out is half a texel, or, towards the sun from the cascade, a ninth of the sun's

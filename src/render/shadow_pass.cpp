@@ -39,6 +39,13 @@ Block block_of(std::span<const Cascade> cascades, const LightAxes& axes, Vec3 ey
     return block;
 }
 
+// Above the planet's sphere there is neither ground nor an object from here on.
+double highest_m(const HeightField& field, std::span<const Ball> objects) {
+    double highest = std::max(0.0, field.whole.high);
+    for (const Ball& object : objects) highest = std::max(highest, glm::length(object.centre) + object.radius_m - field.radius_m);
+    return highest;
+}
+
 // How much farther from the sun a triangle is drawn, in units of how much farther it gets within a texel: the filter of shadow.glsl reaches
 // two texels along each axis, and a slope's larger part is at least half of it.
 constexpr float slope_bias = -4.0f;
@@ -55,24 +62,24 @@ Result<ShadowPass> ShadowPass::create(ShadowSettings settings) {
 ShadowPass::ShadowPass(ShadowSettings settings, gpu::Texture maps, gpu::Framebuffer target)
     : settings_(settings), maps_(std::move(maps)), target_(std::move(target)), block_(sizeof(Block)) {}
 
-void ShadowPass::draw(TerrainPass& terrain, const Camera& camera, Vec3 towards_sun) {
+void ShadowPass::draw(TerrainPass& terrain, const ObjectPass& objects, const Camera& camera, Vec3 towards_sun) {
     const HeightField& field = terrain.quadtree().field();
     axes_ = light_axes(settled_sun(towards_sun));
-    cascades_ = render::cascades(camera, axes_, field, settings_.texels);
+    cascades_ = render::cascades(camera, axes_, field, settings_.texels, objects.balls());
     patches_ = 0;
     for (const Cascade& cascade : cascades_) {
         std::optional<Drawn>& drawn = maps_of_[static_cast<std::size_t>(map_of(cascade))];
         if (const Drawn wanted{cascade, axes_.towards_sun}; drawn != wanted) {
-            draw_map(terrain, camera, cascade);
+            draw_map(terrain, objects, camera, cascade);
             drawn = wanted;
         }
     }
-    const Block block = block_of(cascades_, axes_, camera.eye, std::max(0.0, field.whole.high), settings_.texels);
+    const Block block = block_of(cascades_, axes_, camera.eye, highest_m(field, objects.balls()), settings_.texels);
     block_.write(std::as_bytes(std::span(&block, 1)));
     camera_.bind(camera);
 }
 
-void ShadowPass::draw_map(TerrainPass& terrain, const Camera& camera, const Cascade& cascade) {
+void ShadowPass::draw_map(TerrainPass& terrain, const ObjectPass& objects, const Camera& camera, const Cascade& cascade) {
     Camera eye = camera;
     eye.eye = cascade.eye;
     camera_.bind(eye);
@@ -94,6 +101,7 @@ void ShadowPass::draw_map(TerrainPass& terrain, const Camera& camera, const Casc
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(slope_bias, 0.0f);
     patches_ += terrain.draw_depths(cascade.eye, casters_of(cascade, axes_, terrain.quadtree().field()));
+    objects.draw_depths();
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_DEPTH_CLAMP);
     glDisable(GL_DEPTH_TEST);

@@ -1,5 +1,5 @@
 // What the sun sees of a planet: cascades of shadow maps from some metres before the eye to the horizon, which say of any point in view
-// whether sunlight reaches it. docs/decisions/0013-shadows.md. Uses the pass of terrain.
+// whether sunlight reaches it. docs/decisions/0013-shadows.md. Uses the passes of terrain and of objects.
 //
 // Leaves out: the sun's size, except that edges are soft by a texel or two; refraction.
 #pragma once
@@ -9,6 +9,7 @@
 
 #include "gpu/framebuffer.h"
 #include "render/camera_block.h"
+#include "render/object_pass.h"
 #include "render/shadow_cascades.h"
 #include "render/terrain_pass.h"
 
@@ -23,9 +24,9 @@ public:
     static Result<ShadowPass> create(ShadowSettings settings = {});
 
     // Draws the maps for what the camera sees, but those that are there from before: a map stays while its cascade and the light do, and
-    // is what it would be if it were drawn anew. The ground is always the same. A CameraBlock of the same camera is bound;
-    // `towards_sun` is of length one.
-    void draw(TerrainPass& terrain, const Camera& camera, Vec3 towards_sun);
+    // is what it would be if it were drawn anew. The ground and the objects are always the same. A CameraBlock of the same camera is
+    // bound; `towards_sun` is of length one.
+    void draw(TerrainPass& terrain, const ObjectPass& objects, const Camera& camera, Vec3 towards_sun);
 
     // For a program that includes shadow.glsl.
     void bind() const;
@@ -43,7 +44,7 @@ private:
         friend bool operator==(const Drawn&, const Drawn&) = default;
     };
     ShadowPass(ShadowSettings settings, gpu::Texture maps, gpu::Framebuffer target);
-    void draw_map(TerrainPass& terrain, const Camera& camera, const Cascade& cascade);
+    void draw_map(TerrainPass& terrain, const ObjectPass& objects, const Camera& camera, const Cascade& cascade);
 
     ShadowSettings settings_;
     gpu::Texture maps_;  // one above the other

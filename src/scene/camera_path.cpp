@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "core/files.h"
-#include "scene/altitude_reader.h"
+#include "scene/place_reader.h"
 #include "scene/scene.h"
 #include "toml/toml_input.h"
 #include "units/text.h"
@@ -21,13 +21,6 @@ constexpr double logarithmic_from_m = 10.0;
 // Between keys that are farther apart on the sphere, the way would be anything.
 constexpr double farthest_apart = 170.0 * deg;
 
-void read_within(TomlInput& key, std::string_view name, std::optional<double> value, double low, double high, std::string_view rule,
-                 double& kept) {
-    if (!value) return;
-    if (*value < low || *value > high) key.refuse(name, fmt::format("it must be {}", rule), "");
-    else kept = *value;
-}
-
 void read_time(TomlInput& key, CameraKey& read) {
     const auto words = key.text("time");
     if (!words) return;
@@ -39,16 +32,12 @@ void read_time(TomlInput& key, CameraKey& read) {
 CameraKey read_key(TomlInput& key) {
     CameraKey read;
     Viewpoint& eye = read.eye;
-    read_within(key, "time_s", key.need(&TomlInput::number, "time_s", "Write the seconds since the path's beginning: time_s = 2.5."), 0.0,
+    keep_within(key, "time_s", key.need(&TomlInput::number, "time_s", "Write the seconds since the path's beginning: time_s = 2.5."), 0.0,
                 1e6, "from 0 to 1000000", read.time_s);
-    read_within(key, "latitude", key.need(&TomlInput::angle, "latitude", "North is positive: \"46 deg\"."), -90.0 * deg, 90.0 * deg,
-                "from -90 deg to 90 deg", eye.latitude);
-    read_within(key, "longitude", key.need(&TomlInput::angle, "longitude", "East is positive: \"8 deg\"."), -180.0 * deg, 360.0 * deg,
-                "from -180 deg to 360 deg", eye.longitude);
-    read_altitude(key, read.above_ground, read.eye.altitude_m);
-    read_within(key, "heading", key.angle("heading"), -360.0 * deg, 360.0 * deg, "from -360 deg to 360 deg", eye.heading);
-    read_within(key, "pitch", key.angle("pitch"), -90.0 * deg, 90.0 * deg, "from -90 deg to 90 deg", eye.pitch);
-    read_within(key, "field_of_view", key.angle("field_of_view"), 1.0 * deg, 150.0 * deg, "from 1 deg to 150 deg",
+    read_place(key, eye);
+    read_altitude(key, least_of_camera_m, read.above_ground, read.eye.altitude_m);
+    keep_within(key, "pitch", key.angle("pitch"), -90.0 * deg, 90.0 * deg, "from -90 deg to 90 deg", eye.pitch);
+    keep_within(key, "field_of_view", key.angle("field_of_view"), 1.0 * deg, 150.0 * deg, "from 1 deg to 150 deg",
                 read.vertical_field_of_view);
     read_time(key, read);
     key.refuse_unknown_keys();

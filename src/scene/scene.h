@@ -1,5 +1,5 @@
-// What a picture shows: a ground, a camera, a sun, a moon and stars, as a person writes them down. docs/scene-file.md.
-// Uses camera, sun, celestial and terrain; knows no GPU.
+// What a picture shows: a ground, objects, a camera, a sun, a moon and stars, as a person writes them down. docs/scene-file.md.
+// Uses camera, sun, celestial, terrain and objects; knows no GPU.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,8 @@
 #include "camera/camera.h"
 #include "celestial/stars.h"
 #include "core/result.h"
+#include "objects/object.h"
+#include "scene/object_scene.h"
 #include "terrain/height_field.h"
 #include "terrain/surface_image.h"
 
@@ -86,6 +88,7 @@ struct Scene {
     std::string weather;                     // a METAR report, or a file with one, as above; empty: as the atmosphere is by itself
     AirScene air;
     GroundScene ground;
+    std::vector<ObjectScene> objects;
     CameraScene camera;
     SunScene sun;
     std::optional<MoonScene> moon;
@@ -105,6 +108,9 @@ Result<HeightField> ground_of(const Scene& scene);
 
 // Fails as surface_image() does.
 Result<GroundColour> colour_of(const Scene& scene);
+
+// The scene's objects where they stand. Fails as read_mesh() does.
+Result<std::vector<Object>> objects_of(const Scene& scene, const HeightField& ground);
 
 // The height of the ground, or of the sea above it, at a place, in metres.
 double surface_m(const Viewpoint& place, const HeightField& ground);

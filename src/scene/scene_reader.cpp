@@ -3,21 +3,14 @@
 #include <cmath>
 
 #include "core/files.h"
-#include "scene/altitude_reader.h"
+#include "scene/object_reader.h"
+#include "scene/place_reader.h"
 #include "scene/scene.h"
 #include "toml/toml_input.h"
 
 namespace airlight {
 
 namespace {
-
-// A value within a range, or a failure that says the range in the unit of the file.
-void keep_within(TomlInput& table, std::string_view key, std::optional<double> value, double low, double high, std::string_view rule,
-                 double& kept) {
-    if (!value) return;
-    if (*value < low || *value > high) table.refuse(key, fmt::format("it must be {}", rule), "");
-    else kept = *value;
-}
 
 std::optional<double> metres(std::optional<Length> length) {
     if (!length) return {};
@@ -60,14 +53,8 @@ void read_camera(TomlInput& file, Scene& scene) {
         return;
     }
     CameraScene& c = scene.camera;
-    for (const auto& [key, remedy] :
-         {std::pair{"latitude", "North is positive: \"46 deg\"."}, {"longitude", "East is positive: \"8 deg\"."}})
-        if (!camera->has(key)) camera->refuse_missing(key, remedy);
-    keep_within(*camera, "latitude", camera->angle("latitude"), -90.0 * deg, 90.0 * deg, "from -90 deg to 90 deg", c.viewpoint.latitude);
-    keep_within(*camera, "longitude", camera->angle("longitude"), -180.0 * deg, 360.0 * deg, "from -180 deg to 360 deg",
-                c.viewpoint.longitude);
-    read_altitude(*camera, c.above_ground, c.viewpoint.altitude_m);
-    keep_within(*camera, "heading", camera->angle("heading"), -360.0 * deg, 360.0 * deg, "from -360 deg to 360 deg", c.viewpoint.heading);
+    read_place(*camera, c.viewpoint);
+    read_altitude(*camera, least_of_camera_m, c.above_ground, c.viewpoint.altitude_m);
     keep_within(*camera, "pitch", camera->angle("pitch"), -90.0 * deg, 90.0 * deg, "from -90 deg to 90 deg", c.viewpoint.pitch);
     keep_within(*camera, "field_of_view", camera->angle("field_of_view"), 1.0 * deg, 150.0 * deg, "from 1 deg to 150 deg",
                 c.vertical_field_of_view);
@@ -88,7 +75,7 @@ void refuse_beside_time(TomlInput& table, std::string_view what) {
             table.refuse(key, fmt::format("time is given as well, which says where the {} stands", what), "Keep one of them.");
 }
 
-void read_place(TomlInput& table, double& zenith, double& azimuth) {
+void read_angles(TomlInput& table, double& zenith, double& azimuth) {
     keep_within(table, "zenith", table.angle("zenith"), 0.0, pi, "from 0 deg to 180 deg", zenith);
     keep_within(table, "azimuth", table.angle("azimuth"), -360.0 * deg, 360.0 * deg, "from -360 deg to 360 deg", azimuth);
 }
@@ -99,7 +86,7 @@ void read_sun(TomlInput& file, Scene& scene) {
     if (sun->has("time")) {
         refuse_beside_time(*sun, "sun");
         if (const Result<Utc> time = moment(*sun)) set_time(scene, *time);
-    } else read_place(*sun, scene.sun.zenith, scene.sun.azimuth);
+    } else read_angles(*sun, scene.sun.zenith, scene.sun.azimuth);
     sun->refuse_unknown_keys();
 }
 
@@ -110,7 +97,7 @@ void read_moon(TomlInput& file, Scene& scene) {
     auto moon = file.table("moon");
     if (!moon) return;
     MoonScene place = scene.moon.value_or(MoonScene{45.0 * deg, 180.0 * deg, 384400e3});
-    read_place(*moon, place.zenith, place.azimuth);
+    read_angles(*moon, place.zenith, place.azimuth);
     keep_within(*moon, "distance", metres(moon->length("distance")), 1e7, 1e10, "from 10000 km to 10000000 km", place.distance_m);
     scene.moon = place;
     scene.shows_moon = visible(*moon);
@@ -148,6 +135,7 @@ Result<Scene> parse_scene(std::string_view toml, std::string_view name) {
     read_camera(file, scene);
     if (!failure.first) read_sun(file, scene), read_moon(file, scene), read_stars(file, scene);
     else file.has("sun"), file.has("moon"), file.has("stars");
+    scene.objects = read_objects(file, std::filesystem::path(name).parent_path());
     file.refuse_unknown_keys();
     if (failure.first) return *failure.first;
     return scene;

@@ -20,6 +20,12 @@ airlight_cli_test("render: an elevation file that is no raster is told" EXIT 1 E
 airlight_cli_test("render: an elevation file that ends too early is told" EXIT 1 ERR "ground/cut.asc: it is damaged: " COMMAND render ${grounds}/cut.toml -o m.png)
 airlight_cli_test("render: a raster without georeference is told, and how to give it one" EXIT 1
   ERR "ground/no-place.pgm: it does not say where on the planet it lies" "gdal_translate -a_srs EPSG:4326" COMMAND render ${grounds}/no-place.toml -o m.png)
+set(objects ${CMAKE_CURRENT_SOURCE_DIR}/object)
+airlight_cli_test("render: a misspelt key of an object is told with its line and the nearest" EXIT 1
+  ERR "misspelt.toml:8: object.raduis is no key" "Did you mean .radius.[?]" COMMAND render ${objects}/misspelt.toml -o m.png)
+airlight_cli_test("render: an object of no size is told" EXIT 1 ERR "no-size.toml:8: object.radius = .0 m.: it must be from 1 mm" COMMAND render ${objects}/no-size.toml -o m.png)
+airlight_cli_test("render: a missing mesh is told" EXIT 1 ERR "object/none.obj: cannot be read" COMMAND render ${objects}/no-mesh.toml -o m.png)
+airlight_cli_test("render: a mesh without triangles is told" EXIT 1 ERR "object/points.obj: it has no triangles" COMMAND render ${objects}/points.toml -o m.png)
 airlight_cli_test("render: a file that is neither EXR nor PNG is refused" EXIT 1 ERR "^m.jpg: is neither" COMMAND render ${mountains} -o m.jpg)
 airlight_cli_test("render: a picture of no size is refused" EXIT 1 ERR "0 x 720 is out of range" COMMAND render ${mountains} --width 0 -o m.png)
 airlight_cli_test("render: samples that are no power of two are refused" EXIT 1 ERR "^--samples: 3 is none of 1, 2, 4" COMMAND render ${mountains} --samples 3 -o m.png)
@@ -27,6 +33,7 @@ airlight_cli_test("render: an exposure that is none is refused" EXIT 1 ERR "^--e
 if(AIRLIGHT_GPU)
   airlight_cli_test("render: a scene without air is drawn without it" OUT "^pass light,[0-9.]+,ms$"
     COMMAND render ${CMAKE_CURRENT_SOURCE_DIR}/../corpus/scene/no-air.toml --width 64 --height 36 -o m.png)
+  airlight_cli_test("render: a mesh is drawn" OUT "^pass objects,[0-9.]+,ms$" COMMAND render ${objects}/pyramid.toml --width 64 --height 36 -o m.png)
   airlight_cli_test("render: an atmosphere that is none is told" EXIT 1 ERR "no-such-air.toml: atmosphere"
     COMMAND render ${CMAKE_CURRENT_SOURCE_DIR}/../corpus/scene/no-such-air.toml --width 64 --height 36 -o m.png)
   airlight_cli_test("render: a weather report that is none is told" EXIT 1 ERR "wrong-weather.toml: weather: .*99999"

@@ -21,6 +21,12 @@ void check(const Scene& scene) {
     demand(within(scene.sun.zenith, 0.0, pi) && within(scene.sun.distance_au, 0.9, 1.1), "the sun stands somewhere");
     demand(std::abs(glm::length(towards_sun(scene)) - 1.0) < 1e-9, "a direction has length one");
     if (const std::optional<Vec3> moon = moon_place(scene)) demand(within(glm::length(*moon), 1e3, 1.02e10), "the moon stands somewhere");
+    for (const ObjectScene& object : scene.objects) {
+        demand(within(object.foot.altitude_m, -1e5, 1e9) && within(object.foot.pitch, -pi, pi), "an object has a place");
+        demand(within(object.size_m.x, 1e-6, 2e8) && within(object.size_m.y, 1e-6, 2e8) && within(object.size_m.z, 1e-6, 2e8),
+               "an object has a size");
+        demand(within(object.reflectance.x, 0.0, 1.0), "an object reflects a share of light");
+    }
     demand(!scene.stars || within(scene.stars->faintest, -2.0, 6.0), "stars have a magnitude");
 }
 

@@ -66,7 +66,7 @@ public:
         render::GeometryBuffer::end();
         gpu::PassTimers timers;
         pass_.prepare(view_, sun_, timers);
-        shadows_.draw(terrain_, view_, sun_);
+        shadows_.draw(terrain_, objects_, view_, sun_);
     }
 
     // Red, green, blue and the surface's light of each pixel, the lowest row first.
@@ -86,6 +86,7 @@ private:
     render::AirPass pass_;
     render::TerrainPass terrain_;
     render::GeometryBuffer surfaces_ = must(render::GeometryBuffer::create(width, height));
+    render::ObjectPass objects_ = must(render::ObjectPass::create({}));
     render::ShadowPass shadows_ = must(render::ShadowPass::create());
     render::CameraBlock camera_;
     Camera view_;

@@ -80,8 +80,8 @@ Result<Stage::Passes> Stage::make_passes(const gpu::Context& context, const Made
     like.vertical_field_of_view = made.scene.camera.vertical_field_of_view;
     Result<render::ShaftsPass> shafts = shafts_pass_of(atmosphere_of(made.tables), made.scene, width, height);
     if (!shafts) return shafts.error();
-    Result<render::Frame> frame =
-        render::Frame::create(context, made.ground, made.colour, like, {}, *std::move(shafts), stars_of(made.scene), made.tiles);
+    Result<render::Frame> frame = render::Frame::create(context, made.ground, made.colour, like, {}, *std::move(shafts),
+                                                        stars_of(made.scene), made.tiles, made.objects);
     if (!frame) return frame.error();
     Result<render::ExposurePass> exposure = render::ExposurePass::create();
     if (!exposure) return exposure.error();
@@ -107,6 +107,8 @@ Result<Stage> Stage::create(const gpu::Context& context, const Scene& scene, int
     if (!ground) return ground.error();
     const Result<GroundColour> colour = colour_of(scene);
     if (!colour) return colour.error();
+    const Result<std::vector<Object>> objects = objects_of(scene, *ground);
+    if (!objects) return objects.error();
     if (const Result<std::optional<Atmosphere>> named = air_of(scene); !named) return named.error();
     auto job = std::make_unique<AirJob>(scene, wishes);
     Result<std::optional<Tables>> tables = std::optional<Tables>();
@@ -114,19 +116,20 @@ Result<Stage> Stage::create(const gpu::Context& context, const Scene& scene, int
     if (!tables) return tables.error();
     Result<std::optional<render::AirPass>> air = air_pass_of(*tables, scene);
     if (!air) return air.error();
-    Result<Passes> passes = make_passes(context, {scene, *ground, *colour, *tables}, width, height);
+    Result<Passes> passes = make_passes(context, {scene, *ground, *colour, *objects, *tables}, width, height);
     if (!passes) return passes.error();
     passes->frame.exchange_air(*std::move(air));
-    return Stage(context, scene, wishes, *ground, *colour, *std::move(tables), std::move(job), std::move(*passes));
+    return Stage(context, scene, wishes, *ground, *colour, *objects, *std::move(tables), std::move(job), std::move(*passes));
 }
 
 Stage::Stage(const gpu::Context& context, const Scene& scene, TableWishes wishes, HeightField ground, GroundColour colour,
-             std::optional<Tables> tables, std::unique_ptr<AirJob> job, Passes passes)
+             std::vector<Object> objects, std::optional<Tables> tables, std::unique_ptr<AirJob> job, Passes passes)
     : context_(&context),
       scene_(scene),
       wishes_(std::move(wishes)),
       ground_(std::move(ground)),
       colour_(std::move(colour)),
+      objects_(std::move(objects)),
       tables_(std::move(tables)),
       wished_air_(air_name(scene)),
       job_(std::move(job)),
@@ -158,20 +161,22 @@ Result<Done> Stage::remake(const Scene& scene) {
         // The air lies on another sphere: that of before is drawn until follow_air() has it.
         if (tables_ && scene.ground.radius_m != scene_.ground.radius_m) next.atmosphere.clear();
     }
+    Result<std::vector<Object>> objects = objects_of(scene, ground);
+    if (!objects) return objects.error();
     Result<std::optional<render::AirPass>> air = air_pass_of(tables_, next);
     if (!air) return air.error();
-    Result<Passes> passes = make_passes(*context_, {next, ground, colour, tables_, tiles}, width(), height());
+    Result<Passes> passes = make_passes(*context_, {next, ground, colour, *objects, tables_, tiles}, width(), height());
     if (!passes) return passes.error();
     passes->frame.exchange_air(*std::move(air));
     passes_ = std::move(*passes);
     other_air_.reset(), quick_air_.reset(), view_.reset();
     if (next.atmosphere != scene_.atmosphere) wished_air_ = {};
-    ground_ = std::move(ground), colour_ = std::move(colour), scene_ = std::move(next);
+    ground_ = std::move(ground), colour_ = std::move(colour), objects_ = *std::move(objects), scene_ = std::move(next);
     return Done{};
 }
 
 Result<Done> Stage::resize(int width, int height) {
-    Result<Passes> passes = make_passes(*context_, {scene_, ground_, colour_, tables_, passes_.frame.tiles()}, width, height);
+    Result<Passes> passes = make_passes(*context_, {scene_, ground_, colour_, objects_, tables_, passes_.frame.tiles()}, width, height);
     if (!passes) return passes.error();
     passes->frame.exchange_air(passes_.frame.exchange_air({}));
     passes_ = std::move(*passes);

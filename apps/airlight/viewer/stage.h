@@ -69,7 +69,7 @@ public:
     // shown where it is not there yet. Fails if the GPU was reset, or the other method of a comparison cannot be made.
     Result<Done> draw(const viewer::Session& session, double seconds, Pace pace);
 
-    // The passes anew, from shaders as they are now; the ground of a scene, if it is another, else its tiles stay.
+    // The passes anew, from shaders as they are now; the ground of a scene, if it is another, else its tiles stay; and its objects.
     Result<Done> remake(const Scene& scene);
     // The air anew, from its files as they are now.
     void forget_air();
@@ -111,13 +111,14 @@ private:
         const Scene& scene;
         const HeightField& ground;
         const GroundColour& colour;
+        const std::vector<Object>& objects;
         const std::optional<Tables>& tables;
         std::shared_ptr<TileStore> tiles = {};
     };
     // Without air, which the frame takes in exchange for none.
     static Result<Passes> make_passes(const gpu::Context& context, const Made& made, int width, int height);
     Stage(const gpu::Context& context, const Scene& scene, TableWishes wishes, HeightField ground, GroundColour colour,
-          std::optional<Tables> tables, std::unique_ptr<AirJob> job, Passes passes);
+          std::vector<Object> objects, std::optional<Tables> tables, std::unique_ptr<AirJob> job, Passes passes);
     void follow_air(const viewer::Session& session);
     Result<Done> take_air(const Scene& scene, std::optional<Tables> tables, const AirName& name);
     void follow_stars(const viewer::Session& session);
@@ -149,6 +150,7 @@ private:
     TableWishes wishes_;
     HeightField ground_;
     GroundColour colour_;
+    std::vector<Object> objects_;
     std::optional<Tables> tables_;
     AirName wished_air_;
     std::string air_failure_;

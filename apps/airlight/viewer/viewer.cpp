@@ -225,7 +225,7 @@ private:
         if (!ground) return ground.error();
         Result<viewer::Session> next = viewer::reloaded(session_, *scene, *ground);
         if (!next) return next.error();
-        if (!same_ground)
+        if (!same_ground || scene->objects != session_.file.objects)
             if (const Result<Done> made = stage_.remake(*scene); !made) return made.error();
         session_ = *std::move(next);
         return Done{};

@@ -3,7 +3,7 @@
 layout(std140, binding = 0) uniform CameraBlock {
     dvec4 camera_eye_m;
     vec4 camera_right, camera_up, camera_forward;  // .w of the first two: how far the picture is shifted, in halves of its size
-    vec4 camera_lens;  // half width and half height at distance 1; near_m
+    vec4 camera_lens;  // half width and half height at distance 1; near_m; width of a pixel at distance 1
 };
 
 // Where a point appears: its depth is near / distance along the axis.
