@@ -238,11 +238,12 @@ TEST_CASE("of an object half in the air each pixel has the light of the air befo
                 const AerialPerspective before = must(sky->aerial_perspective(view, truth.distance_m * m));
                 const double altitude = glm::length(place) - bottom_m, zenith = angle(place, sun);
                 const std::vector<double> sunlight = must(sky->sunlight_transmittance(std::min(altitude, top_m) * m, zenith));
+                const double sky_left = std::exp(-std::max(altitude - 10e3, 0.0) / 8e3);
                 const f32::IrradianceSpectrum diffuse = packed.diffuse_on_ground(static_cast<float>(std::cos(zenith)));
                 for (std::size_t w = 0; w < 3; ++w) {
                     const double lit =
                         sunlight[w] * atmosphere.sun.irradiance.at(wavelengths[w]).value * std::max(glm::dot(truth.normal, sun), 0.0) +
-                        (0.5 + 0.5 * glm::dot(truth.normal, glm::normalize(place))) * static_cast<double>(diffuse.v[w]);
+                        sky_left * (0.5 + 0.5 * glm::dot(truth.normal, glm::normalize(place))) * static_cast<double>(diffuse.v[w]);
                     const double expected = before.inscattered_W_m2_sr_nm[w] + before.transmittance[w] * reflectance / pi * lit;
                     const double seen = static_cast<double>(pixels[4 * at + 2 - w]);
                     if (w == 1) fmt::print("  {:>6.0f} {:>20.0f} {:>24.4g} {:>12.4g}\n", eye_m, altitude, expected, seen);

@@ -63,6 +63,18 @@ Surface surface_at(ivec2 pixel, vec3 direction) {
     return surface;
 }
 
+// Altitude and zenith cosine of the sun at which sunlight on its way to a place is asked for: there, or where the way leaves the air for
+// good, if that is below the place.
+vec2 sunlit_from(float h, float mu_s) {
+    float top = air_shell.y, r_top = air_shell.x + top, beside = (air_shell.x + h) * sqrt(max(1.0 - mu_s * mu_s, 0.0));
+    if (h <= top || mu_s >= 0.0) return vec2(h, mu_s);
+    float inside = (r_top - beside) * (r_top + beside);
+    return vec2(top, inside > 0.0 ? -sqrt(inside) / r_top : 1.0);
+}
+
+// What is left of the ground's skylight at an altitude that no ground reaches: as much as of the air.
+float sky_left(float h) { return exp(-max(h - 10e3, 0.0) / 8e3); }
+
 // The sky in water. Of a method that does not know the moon a share is `lit`. The light between the stars is that of all directions in the
 // mean, twice what air scatters of it.
 vec3 mirrored_sky(Surface surface, vec3 direction, vec3 lit, AirSeen seen) {
@@ -93,13 +105,14 @@ void main() {
         SurfaceLight light =
             surface_light(surface.reflectance, surface.material, surface.normal, surface.up, -direction, towards_sun.xyz);
         float mu_s = clamp(dot(surface.up, towards_sun.xyz), -1.0, 1.0);
+        vec2 from = sunlit_from(surface.h, mu_s);
 #ifdef AIR_WITHOUT_MOON
         Passing lit = Passing(vec4(1.0), vec4(1.0));
 #else
         Passing lit = light_passing(surface.position, limb_darkening[0], limb_darkening[1]);
 #endif
-        sum += shade.a * light.of_sun * lit.sun.rgb * colour_of(seen.transmittance * air_sunlight(surface.h, mu_s)) +
-               light.of_sky * lit.sky.rgb * colour_of(seen.transmittance * air_skylight(mu_s)) +
+        sum += shade.a * light.of_sun * lit.sun.rgb * colour_of(seen.transmittance * air_sunlight(from.x, from.y)) +
+               sky_left(surface.h) * light.of_sky * lit.sky.rgb * colour_of(seen.transmittance * air_skylight(mu_s)) +
                light.of_sky * colour_through(night_illuminance.rgb, seen.transmittance);
 #ifndef AIR_WITHOUT_WATER
         if (surface.material.g > 0.0) sum += mirrored_sky(surface, direction, lit.sky.rgb, seen);
