@@ -72,9 +72,9 @@ Result<SceneFrames> SceneFrames::create(const Scene& said, std::span<const Pictu
     Result<gpu::Context> made = gpu::Context::create();
     if (!made) return made.error();
     auto context = std::make_unique<gpu::Context>(*std::move(made));
-    const Result<std::optional<Tables>> tables = tables_of(*air, wishes);
-    if (!tables) return tables.error();
-    Result<std::optional<render::AirPass>> pass = air_pass_of(*tables, scene);
+    const Result<std::optional<SceneAir>> seen_through = scene_air_of(*air, needs_tables(scene.air.method), wishes);
+    if (!seen_through) return seen_through.error();
+    Result<std::optional<render::AirPass>> pass = air_pass_of(*seen_through, scene);
     if (!pass) return pass.error();
     Result<render::ShaftsPass> shafts = shafts_pass_of(*air, scene, width, height);
     if (!shafts) return shafts.error();

@@ -1,6 +1,7 @@
 #include "scene_air.h"
 
 #include <algorithm>
+#include <cassert>
 #include <filesystem>
 #include <system_error>
 
@@ -36,26 +37,26 @@ std::vector<Vec3> colours_of(const Atmosphere& air, const Scene& scene) {
     return colours;
 }
 
-Result<std::unique_ptr<render::AirMethod>> bruneton2008_air(const Tables& tables, std::span<const Vec3> colours) {
+Result<std::unique_ptr<render::AirMethod>> bruneton2008_air(const SceneAir& air, std::span<const Vec3> colours) {
     const Result<std::shared_ptr<const render::Bruneton2008Programs>> programs = render::bruneton2008_programs();
     if (!programs) return programs.error();
-    render::Bruneton2008Bake bake(*programs, tables.atmosphere(), tables.wavelengths(), render::fine_texels,
-                                  {.sizes = render::sizes_around_points, .orders = tables.settings().orders});
+    render::Bruneton2008Bake bake(*programs, air.atmosphere, wavelengths(), render::fine_texels,
+                                  {.sizes = render::sizes_around_points, .orders = air.orders});
     return std::unique_ptr<render::AirMethod>(std::make_unique<render::Bruneton2008Air>(std::move(bake), colours));
 }
 
-Result<std::unique_ptr<render::AirMethod>> method_of(const Tables& tables, std::span<const Vec3> colours, AirMethodName name) {
+Result<std::unique_ptr<render::AirMethod>> method_of(const SceneAir& air, std::span<const Vec3> colours, AirMethodName name) {
     switch (name) {
         case AirMethodName::airlight:
-            return render::airlight_air(tables, colours);
+            return render::airlight_air(*air.tables, colours);
         case AirMethodName::hillaire2020:
-            return render::hillaire2020_air({tables.atmosphere(), tables.wavelengths(), colours});
+            return render::hillaire2020_air({air.atmosphere, wavelengths(), colours});
         case AirMethodName::bruneton2008:
-            return bruneton2008_air(tables, colours);
+            return bruneton2008_air(air, colours);
         case AirMethodName::exact:
             break;
     }
-    return render::exact_air(tables, colours);
+    return render::exact_air(*air.tables, colours);
 }
 
 render::Shafts shafts_of(ShaftsName name) {
@@ -109,19 +110,26 @@ Result<std::optional<Atmosphere>> air_of(const Scene& scene) {
     return std::optional<Atmosphere>(*std::move(air));
 }
 
-Result<std::optional<Tables>> tables_of(const std::optional<Atmosphere>& air, const TableWishes& wishes) {
-    if (!air) return std::optional<Tables>();
-    Result<Tables> tables = cached_tables(*air, wavelengths(), wishes.bake, wishes.cache, wishes.progress);
-    if (!tables) return tables.error();
-    return std::optional<Tables>(*std::move(tables));
+bool needs_tables(AirMethodName method) { return method == AirMethodName::airlight || method == AirMethodName::exact; }
+
+Result<std::optional<SceneAir>> scene_air_of(const std::optional<Atmosphere>& air, bool tables, const TableWishes& wishes) {
+    if (!air) return std::optional<SceneAir>();
+    SceneAir made{*air, wishes.bake.orders, {}};
+    if (tables) {
+        Result<Tables> baked = cached_tables(*air, wavelengths(), wishes.bake, wishes.cache, wishes.progress);
+        if (!baked) return baked.error();
+        made.tables = *std::move(baked);
+    }
+    return std::optional<SceneAir>(std::move(made));
 }
 
-Result<std::optional<render::AirPass>> air_pass_of(const std::optional<Tables>& tables, const Scene& scene) {
-    if (!tables) return std::optional<render::AirPass>();
-    const std::vector<Vec3> colours = colours_of(tables->atmosphere(), scene);
-    Result<std::unique_ptr<render::AirMethod>> method = method_of(*tables, colours, scene.air.method);
+Result<std::optional<render::AirPass>> air_pass_of(const std::optional<SceneAir>& air, const Scene& scene) {
+    if (!air) return std::optional<render::AirPass>();
+    assert(air->tables || !needs_tables(scene.air.method));
+    const std::vector<Vec3> colours = colours_of(air->atmosphere, scene);
+    Result<std::unique_ptr<render::AirMethod>> method = method_of(*air, colours, scene.air.method);
     if (!method) return method.error();
-    Result<render::AirPass> pass = render::AirPass::create({tables->atmosphere(), tables->wavelengths(), colours}, *std::move(method));
+    Result<render::AirPass> pass = render::AirPass::create({air->atmosphere, wavelengths(), colours}, *std::move(method));
     if (!pass) return pass.error();
     return std::optional<render::AirPass>(*std::move(pass));
 }

@@ -20,11 +20,21 @@ render::Lights lights_of(const Scene& scene);
 // The air of a scene on the scene's planet; none if it has none.
 Result<std::optional<Atmosphere>> air_of(const Scene& scene);
 
-// Baked, or loaded, for the wavelengths of a picture.
-Result<std::optional<Tables>> tables_of(const std::optional<Atmosphere>& air, const TableWishes& wishes);
+// What methods of air are made of.
+struct SceneAir {
+    Atmosphere atmosphere;
+    int orders;                    // of scattering
+    std::optional<Tables> tables;  // for the wavelengths of a picture; none if they were not asked for
+};
 
-// Its pictures are in cd m-2 of the primaries of sRGB. An OpenGL context is current.
-Result<std::optional<render::AirPass>> air_pass_of(const std::optional<Tables>& tables, const Scene& scene);
+// Whether a method draws by tables that the CPU bakes. The others are there at once, or fill tables of their own between pictures.
+bool needs_tables(AirMethodName method);
+
+// `tables`: whether they are baked, or loaded.
+Result<std::optional<SceneAir>> scene_air_of(const std::optional<Atmosphere>& air, bool tables, const TableWishes& wishes);
+
+// Its pictures are in cd m-2 of the primaries of sRGB. `air` has tables if the scene's method needs them. An OpenGL context is current.
+Result<std::optional<render::AirPass>> air_pass_of(const std::optional<SceneAir>& air, const Scene& scene);
 
 // The scene's shadows, for pictures of a size. An OpenGL context is current.
 Result<render::ShaftsPass> shafts_pass_of(const std::optional<Atmosphere>& air, const Scene& scene, int width, int height);

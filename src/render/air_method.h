@@ -36,6 +36,8 @@ public:
 
     // The fragment shader of the picture: "air_exact.frag".
     virtual std::string shader() const = 0;
+    // Does a part of what the first picture would wait for, as much as fits between two pictures. Whether nothing of it is left.
+    virtual bool begin(gpu::PassTimers&) { return true; }
     // Makes what depends on the eye and the sun, in textures of its own. Each pass is timed by its name. An AirView is bound.
     virtual void prepare(const AirEye& eye, gpu::PassTimers& timers) = 0;
     // How many pictures add up, and what the shader reads for each of them.

@@ -23,6 +23,9 @@ public:
     // `air` is what `method` was made for.
     static Result<AirPass> create(const ColouredAir& air, std::unique_ptr<AirMethod> method);
 
+    // As AirMethod::begin.
+    bool begin(gpu::PassTimers& timers) { return method_->begin(timers); }
+
     // Makes the tables of the frame that draw() draws. Binds framebuffers of its own. `eclipse`: what takes sunlight from the planet.
     // `night_sky`: whether the light between the stars is scattered and falls on surfaces.
     void prepare(const Camera& camera, Vec3 towards_sun, gpu::PassTimers& timers, const std::optional<Eclipse>& eclipse = {},

@@ -1,6 +1,9 @@
 #include "render/bruneton2008_air.h"
 
+#include <epoxy/gl.h>
+
 #include <array>
+#include <chrono>
 #include <utility>
 
 #include "models/airlight_block.h"
@@ -14,8 +17,8 @@ constexpr unsigned colours_binding = 3, block_binding = 4;
 constexpr unsigned densities_at = first_method_texture, transmittance_at = densities_at + 1, diffuse_at = densities_at + 3,
                    phases_at = densities_at + 4, scattering_at = densities_at + 5;
 
-// Before a picture: a second at 60 pictures a second fills the tables of sixteen wavelengths.
-constexpr int slices_per_picture = 16;
+// How long slices are done for between two pictures, the last of them to its end.
+constexpr std::chrono::milliseconds between_pictures{10};
 
 // `uniform Bruneton2008Block`, after its axis of altitudes.
 struct Block {
@@ -48,23 +51,32 @@ gpu::Buffer colours_of(std::size_t first, const std::vector<Vec3>& colours) {
 
 }  // namespace
 
-Bruneton2008Air::Bruneton2008Air(Bruneton2008Bake bake, std::span<const Vec3> colours) { replace(std::move(bake), colours); }
+Bruneton2008Air::Bruneton2008Air(Bruneton2008Bake bake, std::span<const Vec3> colours)
+    : colours_(colours.begin(), colours.end()), bake_(std::move(bake)) {}
 
-void Bruneton2008Air::replace(Bruneton2008Bake bake, std::span<const Vec3> colours) {
-    next_.emplace(Next{std::move(bake), {colours.begin(), colours.end()}});
+bool Bruneton2008Air::begin(gpu::PassTimers& timers) {
+    using Clock = std::chrono::steady_clock;
+    for (const auto start = Clock::now(); bake_ && Clock::now() - start < between_pictures;) {
+        advance(timers);
+        glFinish();
+    }
+    return !bake_;
 }
 
 void Bruneton2008Air::prepare(const AirEye&, gpu::PassTimers& timers) {
-    if (!next_) return;
-    Bruneton2008Bake& bake = next_->bake;
-    for (int i = 0; bake.done() < bake.slices() && (!tables_ || i < slices_per_picture); ++i) bake.advance(timers);
-    if (bake.done() < bake.slices()) return;
-    Bruneton2008Textures textures = std::move(bake).take();
+    while (bake_) advance(timers);
+}
+
+// By a slice.
+void Bruneton2008Air::advance(gpu::PassTimers& timers) {
+    bake_->advance(timers);
+    if (bake_->done() < bake_->slices()) return;
+    Bruneton2008Textures textures = std::move(*bake_).take();
+    bake_.reset();
     std::vector<gpu::Buffer> colours;
-    for (std::size_t g = 0; g < textures.groups.size(); ++g) colours.push_back(colours_of(g * gpu_wavelengths, next_->colours));
+    for (std::size_t g = 0; g < textures.groups.size(); ++g) colours.push_back(colours_of(g * gpu_wavelengths, colours_));
     gpu::Buffer block = block_of(textures);
     tables_.emplace(Tables{std::move(textures), std::move(colours), std::move(block)});
-    next_.reset();
 }
 
 int Bruneton2008Air::pictures() const { return static_cast<int>(tables_->textures.groups.size()); }

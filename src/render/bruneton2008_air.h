@@ -13,15 +13,11 @@ namespace airlight::render {
 
 class Bruneton2008Air : public AirMethod {
 public:
-    // `colours`: of radiance at each wavelength of `bake`. The first picture waits for all of its slices.
+    // `colours`: of radiance at each wavelength of `bake`, whose slices begin() does, or the first picture.
     Bruneton2008Air(Bruneton2008Bake bake, std::span<const Vec3> colours);
 
-    // Other tables, which are filled between the pictures that follow, some slices before each; until then the old ones are drawn.
-    void replace(Bruneton2008Bake bake, std::span<const Vec3> colours);
-    // Whether the newest tables are drawn.
-    bool up_to_date() const { return !next_; }
-
     std::string shader() const override { return "bruneton2008_air.frag"; }
+    bool begin(gpu::PassTimers& timers) override;
     void prepare(const AirEye& eye, gpu::PassTimers& timers) override;
     int pictures() const override;
     void bind(int picture) const override;
@@ -32,12 +28,11 @@ private:
         std::vector<gpu::Buffer> colours;  // of each group
         gpu::Buffer block;
     };
-    struct Next {
-        Bruneton2008Bake bake;
-        std::vector<Vec3> colours;
-    };
-    std::optional<Tables> tables_;  // none before the first picture
-    std::optional<Next> next_;
+    void advance(gpu::PassTimers& timers);
+
+    std::vector<Vec3> colours_;
+    std::optional<Bruneton2008Bake> bake_;  // until all slices are done
+    std::optional<Tables> tables_;          // then
 };
 
 }  // namespace airlight::render

@@ -31,4 +31,4 @@ airlight_cli_test("view: a raster without georeference is told" EXIT 1 ERR "grou
 add_test(NAME "cli: view: what is broken while it is shown is told, and the viewer goes on"
          COMMAND ${screen} ${CMAKE_CURRENT_SOURCE_DIR}/broken_while_shown $<TARGET_FILE:airlight> ${PROJECT_SOURCE_DIR}/data/demo/mountains.toml
                  ${PROJECT_SOURCE_DIR})
-set_tests_properties("cli: view: what is broken while it is shown is told, and the viewer goes on" PROPERTIES TIMEOUT 300)
+set_tests_properties("cli: view: what is broken while it is shown is told, and the viewer goes on" PROPERTIES TIMEOUT 300 RESOURCE_LOCK screen)

@@ -21,14 +21,19 @@ constexpr double grey = 0.25;
 // An exposure that leaves light as it is, in the form of ExposurePass.
 constexpr std::array<float, 2> ones = {1.0f, 1.0f};
 
-Result<std::optional<Tables>> tables_of_scene(const Scene& scene, const TableWishes& wishes) {
-    const Result<std::optional<Atmosphere>> air = air_of(scene);
-    if (!air) return air.error();
-    return tables_of(*air, wishes);
+std::optional<Atmosphere> atmosphere_of(const std::optional<SceneAir>& air) { return air ? std::optional(air->atmosphere) : std::nullopt; }
+
+bool compares(const viewer::Session& session) { return session.comparison.shown != viewer::Comparison::Shown::one; }
+
+AirWish wish_of(const viewer::Session& session) {
+    return {air_name(viewer::scene_of(session)),
+            needs_tables(session.air.method) || (compares(session) && needs_tables(session.comparison.with))};
 }
 
-std::optional<Atmosphere> atmosphere_of(const std::optional<Tables>& tables) {
-    return tables ? std::optional(tables->atmosphere()) : std::nullopt;
+// The scene with a method that this air can be drawn by: hillaire2020 stands for those whose tables are not there.
+Scene drawable(Scene scene, const std::optional<SceneAir>& air) {
+    if (air && !air->tables && needs_tables(scene.air.method)) scene.air.method = AirMethodName::hillaire2020;
+    return scene;
 }
 
 // The colours of the air's light are those of the sun's distance when it was made. So far may they be apart, in parts of the distance:
@@ -59,15 +64,19 @@ AirJob::AirJob(const Scene& scene, const TableWishes& wishes) : name_(air_name(s
                              how_far_ = fmt::format("{}, {:.0f} %", step, 100.0 * fraction);
                          },
                      .stop = stop_.get_token()};
-    tables_ = std::async(std::launch::async, [scene, told] { return tables_of_scene(scene, told); });
+    air_ = std::async(std::launch::async, [scene, told]() -> Result<std::optional<SceneAir>> {
+        const Result<std::optional<Atmosphere>> air = air_of(scene);
+        if (!air) return air.error();
+        return scene_air_of(*air, true, told);
+    });
 }
 
 AirJob::~AirJob() {
     stop_.request_stop();
-    if (tables_.valid()) tables_.wait();
+    if (air_.valid()) air_.wait();
 }
 
-bool AirJob::ready(std::chrono::milliseconds patience) const { return tables_.wait_for(patience) == std::future_status::ready; }
+bool AirJob::ready(std::chrono::milliseconds patience) const { return air_.wait_for(patience) == std::future_status::ready; }
 
 std::string AirJob::how_far() const {
     const std::lock_guard lock(mutex_);
@@ -78,7 +87,7 @@ Result<Stage::Passes> Stage::make_passes(const gpu::Context& context, const Made
     Camera like{};
     like.width = width, like.height = height;
     like.vertical_field_of_view = made.scene.camera.vertical_field_of_view;
-    Result<render::ShaftsPass> shafts = shafts_pass_of(atmosphere_of(made.tables), made.scene, width, height);
+    Result<render::ShaftsPass> shafts = shafts_pass_of(atmosphere_of(made.air), made.scene, width, height);
     if (!shafts) return shafts.error();
     Result<render::Frame> frame = render::Frame::create(context, made.ground, made.colour, like, {}, *std::move(shafts),
                                                         stars_of(made.scene), made.tiles, made.objects);
@@ -109,34 +118,37 @@ Result<Stage> Stage::create(const gpu::Context& context, const Scene& scene, int
     if (!colour) return colour.error();
     const Result<std::vector<Object>> objects = objects_of(scene, *ground);
     if (!objects) return objects.error();
-    if (const Result<std::optional<Atmosphere>> named = air_of(scene); !named) return named.error();
-    auto job = std::make_unique<AirJob>(scene, wishes);
-    Result<std::optional<Tables>> tables = std::optional<Tables>();
-    if (job->ready(patience)) tables = std::exchange(job, nullptr)->take();
-    if (!tables) return tables.error();
-    Result<std::optional<render::AirPass>> air = air_pass_of(*tables, scene);
+    const Result<std::optional<Atmosphere>> named = air_of(scene);
+    if (!named) return named.error();
+    Result<std::optional<SceneAir>> made = scene_air_of(*named, false, wishes);
+    if (!made) return made.error();
+    std::unique_ptr<AirJob> job;
+    if (*named && needs_tables(scene.air.method)) {
+        job = std::make_unique<AirJob>(scene, wishes);
+        if (job->ready(patience)) made = std::exchange(job, nullptr)->take();
+        if (!made) return made.error();
+    }
+    Result<std::optional<render::AirPass>> air = air_pass_of(*made, drawable(scene, *made));
     if (!air) return air.error();
-    Result<Passes> passes = make_passes(context, {scene, *ground, *colour, *objects, *tables}, width, height);
+    Result<Passes> passes = make_passes(context, {scene, *ground, *colour, *objects, *made}, width, height);
     if (!passes) return passes.error();
     passes->frame.exchange_air(*std::move(air));
-    return Stage(context, scene, wishes, *ground, *colour, *objects, *std::move(tables), std::move(job), std::move(*passes));
+    return Stage(context, scene, wishes, *ground, *colour, *objects, *std::move(made), std::move(job), std::move(*passes));
 }
 
 Stage::Stage(const gpu::Context& context, const Scene& scene, TableWishes wishes, HeightField ground, GroundColour colour,
-             std::vector<Object> objects, std::optional<Tables> tables, std::unique_ptr<AirJob> job, Passes passes)
+             std::vector<Object> objects, std::optional<SceneAir> air, std::unique_ptr<AirJob> job, Passes passes)
     : context_(&context),
       scene_(scene),
       wishes_(std::move(wishes)),
       ground_(std::move(ground)),
       colour_(std::move(colour)),
       objects_(std::move(objects)),
-      tables_(std::move(tables)),
-      wished_air_(air_name(scene)),
+      air_(std::move(air)),
+      wished_air_{air_name(scene), needs_tables(scene.air.method)},
       job_(std::move(job)),
       passes_(std::move(passes)),
-      exposure_of_one_(std::as_bytes(std::span(ones))) {
-    if (job_) scene_.atmosphere.clear();  // it has no air yet
-}
+      exposure_of_one_(std::as_bytes(std::span(ones))) {}
 
 void Stage::forget_air() {
     wished_air_ = {};
@@ -159,24 +171,24 @@ Result<Done> Stage::remake(const Scene& scene) {
         ground = *std::move(other), colour = *std::move(other_colour);
         tiles.reset();
         // The air lies on another sphere: that of before is drawn until follow_air() has it.
-        if (tables_ && scene.ground.radius_m != scene_.ground.radius_m) next.atmosphere.clear();
+        if (air_ && scene.ground.radius_m != scene_.ground.radius_m) next.atmosphere.clear();
     }
     Result<std::vector<Object>> objects = objects_of(scene, ground);
     if (!objects) return objects.error();
-    Result<std::optional<render::AirPass>> air = air_pass_of(tables_, next);
+    Result<std::optional<render::AirPass>> air = air_pass_of(air_, drawable(next, air_));
     if (!air) return air.error();
-    Result<Passes> passes = make_passes(*context_, {next, ground, colour, *objects, tables_, tiles}, width(), height());
+    Result<Passes> passes = make_passes(*context_, {next, ground, colour, *objects, air_, tiles}, width(), height());
     if (!passes) return passes.error();
     passes->frame.exchange_air(*std::move(air));
     passes_ = std::move(*passes);
-    other_air_.reset(), quick_air_.reset(), view_.reset();
+    other_.reset(), quick_air_.reset(), view_.reset();
     if (next.atmosphere != scene_.atmosphere) wished_air_ = {};
     ground_ = std::move(ground), colour_ = std::move(colour), objects_ = *std::move(objects), scene_ = std::move(next);
     return Done{};
 }
 
 Result<Done> Stage::resize(int width, int height) {
-    Result<Passes> passes = make_passes(*context_, {scene_, ground_, colour_, objects_, tables_, passes_.frame.tiles()}, width, height);
+    Result<Passes> passes = make_passes(*context_, {scene_, ground_, colour_, objects_, air_, passes_.frame.tiles()}, width, height);
     if (!passes) return passes.error();
     passes->frame.exchange_air(passes_.frame.exchange_air({}));
     passes_ = std::move(*passes);
@@ -184,38 +196,87 @@ Result<Done> Stage::resize(int width, int height) {
     return Done{};
 }
 
-// Begins to make the air that the session asks for, and takes it when it is there.
+// Draws the air that the session asks for: at once by what is there, and by its own method when that has its tables.
 void Stage::follow_air(const viewer::Session& session) {
     const Scene scene = viewer::scene_of(session);
-    if (!(air_name(scene) == wished_air_)) {
-        wished_air_ = air_name(scene);
-        air_failure_.clear();
-        job_.reset();
-        if (!(wished_air_ == air_name(scene_))) job_ = std::make_unique<AirJob>(scene, wishes_);
-    }
-    Result<Done> taken = Done{};
-    if (job_ && job_->ready()) {
-        Result<std::optional<Tables>> tables = job_->take();
-        job_.reset();
-        if (tables) taken = take_air(scene, *std::move(tables), wished_air_);
-        else taken = tables.error();
-    } else if (!(scene.air == scene_.air) || !sun_is_as_far(scene, scene_)) taken = take_air(scene, tables_, air_name(scene_));
-    if (!taken) air_failure_ = taken.error().message();
+    if (const AirWish wish = wish_of(session); !(wish == wished_air_)) follow_wish(scene, wish);
+    if (const Result<Done> taken = follow_job(scene); !taken) air_failure_ = taken.error().message();
 }
 
-// The air of these tables, by the methods and under the sun of the scene.
-Result<Done> Stage::take_air(const Scene& scene, std::optional<Tables> tables, const AirName& name) {
+void Stage::follow_wish(const Scene& scene, const AirWish& wish) {
+    wished_air_ = wish;
+    air_failure_.clear();
+    job_.reset();
+    const bool known = wish.name == air_name(scene_);
+    if (known && (!wish.tables || !air_ || air_->tables)) return;
+    Result<Done> taken = Done{};
+    if (!known) {
+        const Result<std::optional<Atmosphere>> air = air_of(scene);
+        if (air) taken = take_air(scene, *scene_air_of(*air, false, wishes_), wish.name);
+        else taken = air.error();
+    }
+    if (!taken) air_failure_ = taken.error().message();
+    else if (wish.tables && air_) job_ = std::make_unique<AirJob>(scene, wishes_);
+}
+
+Result<Done> Stage::follow_job(const Scene& scene) {
+    if (job_ && job_->ready()) {
+        Result<std::optional<SceneAir>> air = std::exchange(job_, nullptr)->take();
+        if (!air) return air.error();
+        return take_air(scene, *std::move(air), wished_air_.name);
+    }
+    if (!(scene.air == scene_.air) || !sun_is_as_far(scene, scene_)) return take_air(scene, air_, air_name(scene_));
+    return Done{};
+}
+
+// This air, by the methods and under the sun of the scene.
+Result<Done> Stage::take_air(const Scene& scene, std::optional<SceneAir> air, const AirName& name) {
     scene_.air = scene.air, scene_.sun = scene.sun;  // what fails is told once
-    Result<std::optional<render::AirPass>> air = air_pass_of(tables, scene);
-    if (!air) return air.error();
-    Result<render::ShaftsPass> shafts = shafts_pass_of(atmosphere_of(tables), scene, width(), height());
+    Result<Airs> airs = airs_of(air, scene);
+    if (!airs) return airs.error();
+    Result<render::ShaftsPass> shafts = shafts_pass_of(atmosphere_of(air), scene, width(), height());
     if (!shafts) return shafts.error();
-    passes_.frame.exchange_air(*std::move(air));
+    passes_.frame.exchange_air(std::move(airs->now));
     passes_.frame.exchange_shafts(*std::move(shafts));
-    other_air_.reset(), quick_air_.reset(), view_.reset();
-    tables_ = std::move(tables);
+    begun_air_ = std::move(airs->begun);
+    other_.reset(), quick_air_.reset(), view_.reset();
+    air_ = std::move(air);
     scene_.atmosphere = name.atmosphere, scene_.weather = name.weather;
     return Done{};
+}
+
+Result<Stage::Airs> Stage::airs_of(const std::optional<SceneAir>& air, const Scene& scene) {
+    Result<std::optional<render::AirPass>> own = air_pass_of(air, drawable(scene, air));
+    if (!own) return own.error();
+    if (!*own || (*own)->begin(timers_)) return Airs{*std::move(own), {}};
+    Scene meanwhile = scene;
+    meanwhile.air.method = AirMethodName::hillaire2020;
+    Result<std::optional<render::AirPass>> now = air_pass_of(air, meanwhile);
+    if (!now) return now.error();
+    return Airs{*std::move(now), *std::move(own)};
+}
+
+// The other method of a comparison.
+Result<Done> Stage::follow_other(const viewer::Session& session) {
+    if (!compares(session) || (other_ && other_method_ == session.comparison.with)) return Done{};
+    Scene scene = viewer::scene_of(session);
+    scene.air.method = other_method_ = session.comparison.with;
+    Result<Airs> airs = airs_of(air_, scene);
+    if (!airs) return airs.error();
+    other_ = *std::move(airs);
+    return Done{};
+}
+
+// Fills methods' own tables on, and draws by them when they are there.
+void Stage::follow_begun(Pace pace) {
+    const auto filled = [&](std::optional<render::AirPass>& begun) {
+        if (!begun) return false;
+        bool whole = begun->begin(timers_);
+        while (!whole && pace == Pace::whole) whole = begun->begin(timers_);
+        return whole;
+    };
+    if (filled(begun_air_)) passes_.frame.exchange_air(std::exchange(begun_air_, std::nullopt)), view_.reset();
+    if (other_ && filled(other_->begun)) other_->now = std::exchange(other_->begun, std::nullopt), view_.reset();
 }
 
 void Stage::follow_stars(const viewer::Session& session) {
@@ -228,15 +289,6 @@ void Stage::follow_stars(const viewer::Session& session) {
 Stage::View Stage::view_of(const viewer::Session& session) {
     return {session.eye,    session.field_of_view,    session.towards_sun,    session.sun_distance_au,
             session.moon_m, session.comparison.shown, session.comparison.with};
-}
-
-Result<Done> Stage::make_air(std::optional<render::AirPass>& air, const viewer::Session& session, AirMethodName method) const {
-    Scene scene = viewer::scene_of(session);
-    scene.air.method = method;
-    Result<std::optional<render::AirPass>> made = air_pass_of(tables_, scene);
-    if (!made) return made.error();
-    air = *std::move(made);
-    return Done{};
 }
 
 // By the session's own air, or by another one, which the frame has for so long.
@@ -254,11 +306,7 @@ Result<Done> Stage::render(const viewer::Session& session, const std::optional<r
 // The picture of the other method of a comparison, copied before the session's own is drawn.
 Result<Done> Stage::draw_second(const viewer::Session& session, const std::optional<render::Rows>& slice, bool quick) {
     const bool replaced = quick && takes_long(session.comparison.with);
-    if (!replaced && (!other_air_ || other_method_ != session.comparison.with)) {
-        other_method_ = session.comparison.with;
-        if (const Result<Done> made = make_air(other_air_, session, other_method_); !made) return made.error();
-    }
-    if (const Result<Done> drawn = render(session, slice, replaced ? &quick_air_ : &other_air_); !drawn) return drawn.error();
+    if (const Result<Done> drawn = render(session, slice, replaced ? &quick_air_ : &other_->now); !drawn) return drawn.error();
     for (const gpu::PassTime& time : passes_.frame.times()) times_.push_back({"second " + time.pass, time.milliseconds});
     const render::Rows rows = slice.value_or(render::Rows{0, height()});
     glCopyImageSubData(passes_.frame.radiance().name(), GL_TEXTURE_2D, 0, 0, rows.first, 0, passes_.second.name(), GL_TEXTURE_2D, 0, 0,
@@ -268,9 +316,14 @@ Result<Done> Stage::draw_second(const viewer::Session& session, const std::optio
 
 // A slice of what the session shows, or all; `quick`: with air in real time in place of one that takes long.
 Result<Done> Stage::draw_pictures(const viewer::Session& session, const std::optional<render::Rows>& slice, bool quick) {
-    if (quick && !quick_air_)
-        if (const Result<Done> made = make_air(quick_air_, session, AirMethodName::airlight); !made) return made.error();
-    if (session.comparison.shown != viewer::Comparison::Shown::one)
+    if (quick && !quick_air_) {
+        Scene scene = viewer::scene_of(session);
+        scene.air.method = AirMethodName::airlight;
+        Result<std::optional<render::AirPass>> made = air_pass_of(air_, drawable(scene, air_));
+        if (!made) return made.error();
+        quick_air_ = *std::move(made);
+    }
+    if (compares(session))
         if (const Result<Done> drawn = draw_second(session, slice, quick); !drawn) return drawn.error();
     const bool replaced = quick && takes_long(session.air.method);
     if (const Result<Done> drawn = render(session, slice, replaced ? &quick_air_ : nullptr); !drawn) return drawn.error();
@@ -287,8 +340,7 @@ Result<Done> Stage::draw_slice(const viewer::Session& session) {
 }
 
 Result<Done> Stage::draw_light(const viewer::Session& session) {
-    const bool compares = session.comparison.shown != viewer::Comparison::Shown::one;
-    if (!takes_long(session.air.method) && !(compares && takes_long(session.comparison.with))) {
+    if (!takes_long(session.air.method) && !(compares(session) && takes_long(session.comparison.with))) {
         view_.reset(), slices_.reset();
         return draw_pictures(session, {}, false);
     }
@@ -331,6 +383,8 @@ void Stage::develop(const viewer::Session& session) {
 
 Result<Done> Stage::draw(const viewer::Session& session, double seconds, Pace pace) {
     follow_air(session);
+    if (const Result<Done> made = follow_other(session); !made) return made.error();
+    follow_begun(pace);
     follow_stars(session);
     do {
         times_.clear();
@@ -367,9 +421,11 @@ double Stage::luminance_at(double x, double y) const {
 
 std::optional<std::string> Stage::at_work() const {
     if (!job_ && slices_ && slices_->next()) return fmt::format("the exact air: {:.0f} %", 100.0 * slices_->share());
+    if (begun_air_ || (other_ && other_->begun)) return "the tables of the air; until then hillaire2020 draws it";
     if (!job_) return std::nullopt;
     const AirName& name = job_->name();
-    return fmt::format("the air {}{}: {}", name.atmosphere, name.weather.empty() ? "" : " in its weather", job_->how_far());
+    return fmt::format("the air {}{}, until then by hillaire2020: {}", name.atmosphere, name.weather.empty() ? "" : " in its weather",
+                       job_->how_far());
 }
 
 }  // namespace airlight::cli

@@ -30,6 +30,14 @@ struct AirName {
 };
 AirName air_name(const Scene& scene);
 
+// What a session asks of its air: which one, and whether with the tables of the CPU.
+struct AirWish {
+    AirName name;
+    bool tables = false;
+
+    friend bool operator==(const AirWish&, const AirWish&) = default;
+};
+
 // The air's tables on their way: baked, or loaded, on other threads.
 class AirJob {
 public:
@@ -43,7 +51,7 @@ public:
     // Waits for so long, if it must.
     bool ready(std::chrono::milliseconds patience) const;
     static constexpr std::chrono::milliseconds forever = std::chrono::hours(24 * 365);
-    Result<std::optional<Tables>> take() { return tables_.get(); }
+    Result<std::optional<SceneAir>> take() { return air_.get(); }
     // "second order, 40 %"
     std::string how_far() const;
 
@@ -52,12 +60,13 @@ private:
     std::stop_source stop_;
     mutable std::mutex mutex_;
     std::string how_far_;
-    std::future<Result<std::optional<Tables>>> tables_;
+    std::future<Result<std::optional<SceneAir>>> air_;
 };
 
 class Stage {
 public:
-    // Waits so long for the air's tables: what takes longer comes later, and the planet has no air until then. `context` outlives it.
+    // Waits so long for the air's tables: what takes longer comes later, and until then hillaire2020, which needs none, draws the air.
+    // `context` outlives it.
     static Result<Stage> create(const gpu::Context& context, const Scene& scene, int width, int height, const TableWishes& wishes,
                                 std::chrono::milliseconds patience);
 
@@ -112,15 +121,24 @@ private:
         const HeightField& ground;
         const GroundColour& colour;
         const std::vector<Object>& objects;
-        const std::optional<Tables>& tables;
+        const std::optional<SceneAir>& air;
         std::shared_ptr<TileStore> tiles = {};
     };
     // Without air, which the frame takes in exchange for none.
     static Result<Passes> make_passes(const gpu::Context& context, const Made& made, int width, int height);
     Stage(const gpu::Context& context, const Scene& scene, TableWishes wishes, HeightField ground, GroundColour colour,
-          std::vector<Object> objects, std::optional<Tables> tables, std::unique_ptr<AirJob> job, Passes passes);
+          std::vector<Object> objects, std::optional<SceneAir> air, std::unique_ptr<AirJob> job, Passes passes);
+    // What draws an air now, and what will when its own tables are filled.
+    struct Airs {
+        std::optional<render::AirPass> now, begun;
+    };
     void follow_air(const viewer::Session& session);
-    Result<Done> take_air(const Scene& scene, std::optional<Tables> tables, const AirName& name);
+    void follow_wish(const Scene& scene, const AirWish& wish);
+    Result<Done> follow_job(const Scene& scene);
+    Result<Done> take_air(const Scene& scene, std::optional<SceneAir> air, const AirName& name);
+    Result<Airs> airs_of(const std::optional<SceneAir>& air, const Scene& scene);
+    Result<Done> follow_other(const viewer::Session& session);
+    void follow_begun(Pace pace);
     void follow_stars(const viewer::Session& session);
     // What slices belong to, beside the passes.
     struct View {
@@ -141,7 +159,6 @@ private:
     Result<Done> draw_second(const viewer::Session& session, const std::optional<render::Rows>& slice, bool quick);
     Result<Done> render(const viewer::Session& session, const std::optional<render::Rows>& slice,
                         std::optional<render::AirPass>* other = nullptr);
-    Result<Done> make_air(std::optional<render::AirPass>& air, const viewer::Session& session, AirMethodName method) const;
     void expose(const viewer::Session& session, double seconds);
     void develop(const viewer::Session& session);
 
@@ -151,12 +168,13 @@ private:
     HeightField ground_;
     GroundColour colour_;
     std::vector<Object> objects_;
-    std::optional<Tables> tables_;
-    AirName wished_air_;
+    std::optional<SceneAir> air_;
+    AirWish wished_air_;
     std::string air_failure_;
     std::unique_ptr<AirJob> job_;
     Passes passes_;
-    std::optional<render::AirPass> other_air_;  // of a comparison
+    std::optional<render::AirPass> begun_air_;  // whose own tables are filled between pictures; the frame has what draws now
+    std::optional<Airs> other_;                 // of a comparison
     std::optional<render::AirPass> quick_air_;  // in real time, in place of one that takes long
     std::optional<View> view_;                  // that the slices belong to; none: the next picture begins anew
     std::optional<viewer::Slices> slices_;      // none: the picture is drawn at once
