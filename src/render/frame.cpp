@@ -26,11 +26,11 @@ Image image_of(const gpu::Texture& radiance) {
 // Where the sun stands so low under the eye that the full moon's light, a 400 000th of its, begins to tell.
 bool is_night(const Camera& camera, Vec3 towards_sun) { return glm::dot(glm::normalize(camera.eye), towards_sun) < std::sin(-6.0 * deg); }
 
-// Nothing is drawn outside of these rows while it is there.
+// Nothing is drawn outside of a part while it is there.
 class Scissor {
 public:
-    Scissor(int width, const Rows& rows) {
-        glScissor(0, rows.first, width, rows.count);
+    explicit Scissor(const Part& part) {
+        glScissor(part.left, part.bottom, part.width, part.height);
         glEnable(GL_SCISSOR_TEST);
     }
     ~Scissor() { glDisable(GL_SCISSOR_TEST); }
@@ -89,7 +89,7 @@ Result<Image> Frame::draw(const Camera& camera, const Lights& lights) {
 
 Image Frame::image() const { return image_of(radiance_); }
 
-Result<Done> Frame::render(const Camera& camera, const Lights& lights, const std::optional<Rows>& slice) {
+Result<Done> Frame::render(const Camera& camera, const Lights& lights, const std::optional<Part>& part) {
     assert(camera.width == radiance_.size().width && camera.height == radiance_.size().height);
     camera_.bind(camera);
     {
@@ -113,7 +113,8 @@ Result<Done> Frame::render(const Camera& camera, const Lights& lights, const std
         background_.draw(camera, heavens, bending(camera), air_ ? &air_->atmosphere() : nullptr);
     }
     if (air_) {
-        if (const Result<Done> drawn = draw_air(camera, heavens, slice.value_or(Rows{0, camera.height})); !drawn) return drawn.error();
+        if (const Result<Done> drawn = draw_air(camera, heavens, part.value_or(Part{0, 0, camera.width, camera.height})); !drawn)
+            return drawn.error();
     } else {
         if (shafts_) draw_shade(camera, lights.towards_sun);
         const auto pass = timers_.time("light");
@@ -141,7 +142,7 @@ void Frame::draw_shade(const Camera& camera, Vec3 towards_sun) {
     shafts_->draw(surfaces_, shadows_, camera);
 }
 
-Result<Done> Frame::draw_air(const Camera& camera, const Heavens& heavens, const Rows& rows) {
+Result<Done> Frame::draw_air(const Camera& camera, const Heavens& heavens, const Part& part) {
     const Length reach = air_->atmosphere().bottom_radius + air_->atmosphere().top_altitude;
     const bool night = is_night(camera, heavens.towards_sun), shaded = shafts_ && !night;
     air_->prepare(camera, heavens.towards_sun, timers_, eclipse_of(heavens, camera.eye, reach.in(m)), heavens.night_sky);
@@ -149,7 +150,7 @@ Result<Done> Frame::draw_air(const Camera& camera, const Heavens& heavens, const
     {
         const auto pass = timers_.time("air");
         target_.bind();
-        const Scissor scissor(camera.width, rows);
+        const Scissor scissor(part);
         const Result<Done> drawn =
             air_->draw(surfaces_, shaded ? &shafts_->shade() : nullptr, &background_.radiance(), terrain_.count().sea);
         if (!drawn) return drawn.error();
@@ -159,7 +160,7 @@ Result<Done> Frame::draw_air(const Camera& camera, const Heavens& heavens, const
     air_->prepare(camera, moon->towards, timers_);
     const auto pass = timers_.time("moonlit air");
     target_.bind();
-    const Scissor scissor(camera.width, rows);
+    const Scissor scissor(part);
     return air_->add(surfaces_, moon->illuminance / sunlight(heavens, SpectrumOf<Number>::constant(1.0)), terrain_.count().sea);
 }
 

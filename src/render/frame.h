@@ -20,9 +20,9 @@
 
 namespace airlight::render {
 
-// Rows of a picture, the lowest of which is 0.
-struct Rows {
-    int first, count;
+// A rectangle of a picture in pixels, whose lowest row is 0.
+struct Part {
+    int left, bottom, width, height;
 };
 
 class Frame {
@@ -39,8 +39,8 @@ public:
     Result<Image> draw(const Camera& camera, const Lights& lights);
 
     // The same, left on the GPU: radiance() has it, its lowest row first, and image() reads it back. Waits
-    // for the GPU. With air it may be done in slices: other rows than these stay as they are.
-    Result<Done> render(const Camera& camera, const Lights& lights, const std::optional<Rows>& slice = {});
+    // for the GPU. With air it may be done in parts: other pixels than these stay as they are.
+    Result<Done> render(const Camera& camera, const Lights& lights, const std::optional<Part>& part = {});
     const gpu::Texture& radiance() const { return radiance_; }
     Image image() const;
 
@@ -66,7 +66,7 @@ private:
 
     const BendingTable& bending(const Camera& camera);
     void draw_shade(const Camera& camera, Vec3 towards_sun);
-    Result<Done> draw_air(const Camera& camera, const Heavens& heavens, const Rows& rows);
+    Result<Done> draw_air(const Camera& camera, const Heavens& heavens, const Part& part);
 
     const gpu::Context* context_;
     CameraBlock camera_;

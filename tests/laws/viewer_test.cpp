@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -429,21 +430,27 @@ TEST_CASE("a key on the other side of the planet from the last is refused, and t
     CHECK(!edit.unsaved());
 }
 
-TEST_CASE("slices are all of a picture's rows once, from the highest down, each as long as the frame of one may be") {
-    for (const double row_ms : {0.01, 3.0, 1000.0}) {
-        Slices slices(333);
-        CHECK(slices.share() == 0.0);
-        int above = 333, count_before = 0, slices_drawn = 0;
-        while (const std::optional<Slices::Slice> slice = slices.next()) {
-            REQUIRE(slice->count >= 1);
-            CHECK(slice->first + slice->count == above);
-            if (count_before > 0) CHECK(slice->count <= std::max(1, 2 * count_before));
-            if (slices_drawn > 9) CHECK(slice->count * row_ms <= std::max(Slices::slice_ms, row_ms));
-            above = slice->first, count_before = slice->count, ++slices_drawn;
-            slices.drawn(slice->count * row_ms);
-            CHECK(slices.share() == (333.0 - above) / 333.0);
+TEST_CASE("slices cover a picture once, from the highest down, each as long as the slice of a frame may be") {
+    for (const auto& [width, height] : {std::pair{333, 100}, {16, 16}, {640, 361}})
+        for (const double pixel_ms : {1e-6, 2e-3, 1.0}) {
+            Slices slices(width, height);
+            CHECK(slices.share() == 0.0);
+            std::vector<int> covered(static_cast<std::size_t>(width * height), 0);
+            int highest = height, count = 0;
+            while (const std::optional<Slices::Slice> slice = slices.next()) {
+                REQUIRE(slice->width > 0);
+                REQUIRE(slice->height > 0);
+                for (int y = slice->bottom; y < slice->bottom + slice->height; ++y)
+                    for (int x = slice->left; x < slice->left + slice->width; ++x) ++covered[static_cast<std::size_t>(y * width + x)];
+                CHECK(slice->bottom + slice->height <= highest);
+                highest = slice->bottom + slice->height;
+                const double took_ms = pixel_ms * slice->width * slice->height, tile_ms = pixel_ms * Slices::tile_side * Slices::tile_side;
+                CHECK(took_ms <= std::max(Slices::slice_ms, tile_ms) * (1.0 + 1e-9));
+                slices.drawn(took_ms);
+                ++count;
+            }
+            CHECK(slices.share() == 1.0);
+            CHECK(std::all_of(covered.begin(), covered.end(), [](int times) { return times == 1; }));
+            if (pixel_ms < 1e-3) CHECK(count < 16);
         }
-        CHECK(above == 0);
-        CHECK(slices_drawn < (row_ms < 1.0 ? 12 : 400));
-    }
 }

@@ -1,4 +1,4 @@
-// Whole frames: a night without moon is as bright as dark skies were measured to be, by any method of air; a frame in slices is the frame.
+// Whole frames: a night without moon is as bright as dark skies were measured to be, by any method of air; a frame in parts is the frame.
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -132,7 +132,7 @@ TEST_CASE("a night's sky is mirrored by the sea, which is brighter than the grou
     CHECK(mirrored > 1.5 * planet.luminance(ground, -3.0));
 }
 
-TEST_CASE("a frame in slices is the frame drawn at once, by day and under the moon, and what stood in its rows before leaves no trace") {
+TEST_CASE("a frame in parts is the frame drawn at once, by day and under the moon, and what stood there before leaves no trace") {
     const GpuCase gpu_case;
     if (!gpu_case) return;
     const Planet planet(gpu_case);
@@ -150,9 +150,9 @@ TEST_CASE("a frame in slices is the frame drawn at once, by day and under the mo
         const Result<Image> other = frame.draw(elsewhere, lights);
         REQUIRE(other);
         CHECK(other->values != whole->values);
-        for (const render::Rows& slice : {render::Rows{8, 3}, {7, 1}, {0, 7}}) {
+        for (const render::Part& part : {render::Part{0, 8, 16, 3}, {0, 7, 5, 1}, {5, 7, 11, 1}, {0, 0, 16, 7}}) {
             CHECK(frame.image().values != whole->values);
-            REQUIRE(frame.render(camera, lights, slice));
+            REQUIRE(frame.render(camera, lights, part));
         }
         CHECK(frame.image().values == whole->values);
     }

@@ -292,30 +292,29 @@ Stage::View Stage::view_of(const viewer::Session& session) {
 }
 
 // By the session's own air, or by another one, which the frame has for so long.
-Result<Done> Stage::render(const viewer::Session& session, const std::optional<render::Rows>& slice,
-                           std::optional<render::AirPass>* other) {
+Result<Done> Stage::render(const viewer::Session& session, const std::optional<render::Part>& part, std::optional<render::AirPass>* other) {
     const Camera camera = viewer::camera_of(session, width(), height());
     const render::Lights lights = lights_of(viewer::scene_of(session));
-    if (!other) return passes_.frame.render(camera, lights, slice);
+    if (!other) return passes_.frame.render(camera, lights, part);
     std::optional<render::AirPass> own = passes_.frame.exchange_air(std::move(*other));
-    const Result<Done> drawn = passes_.frame.render(camera, lights, slice);
+    const Result<Done> drawn = passes_.frame.render(camera, lights, part);
     *other = passes_.frame.exchange_air(std::move(own));
     return drawn;
 }
 
 // The picture of the other method of a comparison, copied before the session's own is drawn.
-Result<Done> Stage::draw_second(const viewer::Session& session, const std::optional<render::Rows>& slice, bool quick) {
+Result<Done> Stage::draw_second(const viewer::Session& session, const std::optional<render::Part>& part, bool quick) {
     const bool replaced = quick && takes_long(session.comparison.with);
-    if (const Result<Done> drawn = render(session, slice, replaced ? &quick_air_ : &other_->now); !drawn) return drawn.error();
+    if (const Result<Done> drawn = render(session, part, replaced ? &quick_air_ : &other_->now); !drawn) return drawn.error();
     for (const gpu::PassTime& time : passes_.frame.times()) times_.push_back({"second " + time.pass, time.milliseconds});
-    const render::Rows rows = slice.value_or(render::Rows{0, height()});
-    glCopyImageSubData(passes_.frame.radiance().name(), GL_TEXTURE_2D, 0, 0, rows.first, 0, passes_.second.name(), GL_TEXTURE_2D, 0, 0,
-                       rows.first, 0, width(), rows.count, 1);
+    const render::Part copied = part.value_or(render::Part{0, 0, width(), height()});
+    glCopyImageSubData(passes_.frame.radiance().name(), GL_TEXTURE_2D, 0, copied.left, copied.bottom, 0, passes_.second.name(),
+                       GL_TEXTURE_2D, 0, copied.left, copied.bottom, 0, copied.width, copied.height, 1);
     return Done{};
 }
 
-// A slice of what the session shows, or all; `quick`: with air in real time in place of one that takes long.
-Result<Done> Stage::draw_pictures(const viewer::Session& session, const std::optional<render::Rows>& slice, bool quick) {
+// A part of what the session shows, or all; `quick`: with air in real time in place of one that takes long.
+Result<Done> Stage::draw_pictures(const viewer::Session& session, const std::optional<render::Part>& part, bool quick) {
     if (quick && !quick_air_) {
         Scene scene = viewer::scene_of(session);
         scene.air.method = AirMethodName::airlight;
@@ -324,9 +323,9 @@ Result<Done> Stage::draw_pictures(const viewer::Session& session, const std::opt
         quick_air_ = *std::move(made);
     }
     if (compares(session))
-        if (const Result<Done> drawn = draw_second(session, slice, quick); !drawn) return drawn.error();
+        if (const Result<Done> drawn = draw_second(session, part, quick); !drawn) return drawn.error();
     const bool replaced = quick && takes_long(session.air.method);
-    if (const Result<Done> drawn = render(session, slice, replaced ? &quick_air_ : nullptr); !drawn) return drawn.error();
+    if (const Result<Done> drawn = render(session, part, replaced ? &quick_air_ : nullptr); !drawn) return drawn.error();
     times_.insert(times_.end(), passes_.frame.times().begin(), passes_.frame.times().end());
     return Done{};
 }
@@ -334,7 +333,9 @@ Result<Done> Stage::draw_pictures(const viewer::Session& session, const std::opt
 Result<Done> Stage::draw_slice(const viewer::Session& session) {
     const std::optional<viewer::Slices::Slice> slice = slices_->next();
     if (!slice) return Done{};
-    if (const Result<Done> drawn = draw_pictures(session, render::Rows{slice->first, slice->count}, false); !drawn) return drawn.error();
+    if (const Result<Done> drawn = draw_pictures(session, render::Part{slice->left, slice->bottom, slice->width, slice->height}, false);
+        !drawn)
+        return drawn.error();
     slices_->drawn(milliseconds_of_air(times_));
     return Done{};
 }
@@ -345,7 +346,7 @@ Result<Done> Stage::draw_light(const viewer::Session& session) {
         return draw_pictures(session, {}, false);
     }
     if (view_ == view_of(session)) return draw_slice(session);
-    view_ = view_of(session), slices_.emplace(height());
+    view_ = view_of(session), slices_.emplace(width(), height());
     return draw_pictures(session, {}, true);
 }
 

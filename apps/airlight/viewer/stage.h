@@ -155,9 +155,9 @@ private:
     static View view_of(const viewer::Session& session);
     Result<Done> draw_light(const viewer::Session& session);
     Result<Done> draw_slice(const viewer::Session& session);
-    Result<Done> draw_pictures(const viewer::Session& session, const std::optional<render::Rows>& slice, bool quick);
-    Result<Done> draw_second(const viewer::Session& session, const std::optional<render::Rows>& slice, bool quick);
-    Result<Done> render(const viewer::Session& session, const std::optional<render::Rows>& slice,
+    Result<Done> draw_pictures(const viewer::Session& session, const std::optional<render::Part>& part, bool quick);
+    Result<Done> draw_second(const viewer::Session& session, const std::optional<render::Part>& part, bool quick);
+    Result<Done> render(const viewer::Session& session, const std::optional<render::Part>& part,
                         std::optional<render::AirPass>* other = nullptr);
     void expose(const viewer::Session& session, double seconds);
     void develop(const viewer::Session& session);
