@@ -37,7 +37,7 @@ private:
         gpu::Texture even, peaked;
     };
     struct SlicesOfMaps {
-        int count, places_of_block;
+        int count;
         gpu::Program program;
         gpu::Texture slopes, blocks, spans;
         gpu::Buffer block;

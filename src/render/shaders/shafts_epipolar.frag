@@ -2,7 +2,7 @@
 // Light shafts on epipolar slices [Engelhardt2010] with the least and greatest ground of each part of a slice [Chen2011; Yusov2014]: the
 // shadow maps are read once for each slice, not for each ray, and a ray asks most parts of its slice one question: is all of it below
 // you, or above? Where neither, shadows begin and end where the ray meets the line between two places of ground. Approximates: a ray lies
-// between two slices, and ground is straight between places, one to three percent of their distance apart. Cost: a quarter of a million
+// between two slices, and ground is straight between places, one to two percent of their distance apart. Cost: 0.3 million
 // places on slices a frame; for each pixel a look at each part, and two at the table of light scattered once for each edge.
 #include "shafts_light.glsl"
 #include "shafts_slices.glsl"

@@ -1,6 +1,6 @@
 #version 450 core
 // The slopes of the ground at the places of a slice, and the least and the greatest in each block of places, with both of its ends, and in each
-// span of blocks: Chen's tree with branches of eight or sixteen, and eight.
+// span of blocks: Chen's tree with branches of twelve and eight.
 #include "shadow.glsl"
 #include "shafts_slices.glsl"
 layout(local_size_x = 64) in;
