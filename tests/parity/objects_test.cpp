@@ -194,7 +194,8 @@ TEST_CASE("of an object half in the air each pixel has the light of the air befo
     render::AirPass air = must(render::AirPass::create({atmosphere, wavelengths, colours}, render::exact_air(tables, colours)));
     const double bottom_m = atmosphere.bottom_radius.in(m), top_m = atmosphere.top_altitude.in(m), radius_m = 8e4;
     const gpu::Texture radiance({side, side});
-    const gpu::Framebuffer target = must(gpu::Framebuffer::create({&radiance}));
+    const render::GeometryBuffer surfaces = must(render::GeometryBuffer::create(side, side));
+    const gpu::Framebuffer target = must(gpu::Framebuffer::create({&radiance}, &surfaces.depth()));
     const auto angle = [](Vec3 a, Vec3 b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); };
     fmt::print("  eye, m     altitude of what is seen, m    light of the CPU, of the GPU\n");
     for (const double eye_m : {2e3, 4e5})
@@ -205,7 +206,6 @@ TEST_CASE("of an object half in the air each pixel has the light of the air befo
             object.reflectance = Vec3(reflectance);
             const Camera camera = camera_towards(level.eye, object.centre);
             const Vec3 sun = glm::normalize(level.up + level.right - 0.5 * level.forward);
-            const render::GeometryBuffer surfaces = must(render::GeometryBuffer::create(side, side));
             const render::CameraBlock block;
             block.bind(camera);
             gpu::PassTimers timers;
