@@ -24,8 +24,8 @@ struct Mesh {
 };
 
 // The faces of an OBJ text, cut into triangles; materials are left out. A corner without a normal has that of its triangle, by the right
-// hand. Triangles without an area are left out. Fails, naming `file`, if the text is no OBJ, names a corner that is not there, holds what is no
-// number below 10^9, or has no triangles.
+// hand. Triangles without an area are left out. Fails, naming `file`, if the text is no OBJ, names a corner that is not there, holds what is
+// no number below 10^9, or has no triangles.
 Result<Mesh> parse_mesh(const std::string& obj, std::string_view file);
 // Fails also if there is no such file or it is larger than 1 GiB.
 Result<Mesh> read_mesh(const std::filesystem::path& path);
