@@ -104,10 +104,12 @@ void GroundPass::draw(const GeometryBuffer& surfaces, const Camera& camera) cons
         texture->bind_sampler(binding++);
     image_.bind_sampler(image_binding);
     program_.use();
-    glDisable(GL_DEPTH_TEST);
-    glTextureBarrier();  // each pixel reads what it then writes
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_LESS);  // where anything is nearer than the triangle, whose depth is that of nothing
+    glTextureBarrier();    // each pixel reads what it then writes
     triangle_.draw_triangles(3);
-    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_TRUE);
 }
 
 }  // namespace airlight::render
