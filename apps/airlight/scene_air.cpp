@@ -123,6 +123,14 @@ Result<std::optional<SceneAir>> scene_air_of(const std::optional<Atmosphere>& ai
     return std::optional<SceneAir>(std::move(made));
 }
 
+bool tables_are_kept(const Atmosphere& air, const TableWishes& wishes) {
+    if (!wishes.cache.enabled) return false;
+    return std::ranges::all_of(cache_files(air, wavelengths(), wishes.bake, wishes.cache), [](const std::filesystem::path& file) {
+        std::error_code absent;
+        return std::filesystem::exists(file, absent);
+    });
+}
+
 Result<std::optional<render::AirPass>> air_pass_of(const std::optional<SceneAir>& air, const Scene& scene) {
     if (!air) return std::optional<render::AirPass>();
     assert(air->tables || !needs_tables(scene.air.method));

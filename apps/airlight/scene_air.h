@@ -33,6 +33,9 @@ bool needs_tables(AirMethodName method);
 // `tables`: whether they are baked, or loaded.
 Result<std::optional<SceneAir>> scene_air_of(const std::optional<Atmosphere>& air, bool tables, const TableWishes& wishes);
 
+// Whether the tables of a bake are in the cache.
+bool tables_are_kept(const Atmosphere& air, const TableWishes& wishes);
+
 // Its pictures are in cd m-2 of the primaries of sRGB. `air` has tables if the scene's method needs them. An OpenGL context is current.
 Result<std::optional<render::AirPass>> air_pass_of(const std::optional<SceneAir>& air, const Scene& scene);
 

@@ -30,6 +30,17 @@ AirWish wish_of(const viewer::Session& session) {
             needs_tables(session.air.method) || (compares(session) && needs_tables(session.comparison.with))};
 }
 
+// Of tables that are made in about a second, on two cores; nowhere finer than what is wished. They are not kept.
+TableWishes coarse_wishes(TableWishes wishes) {
+    TableSizes& sizes = wishes.bake.sizes;
+    const auto at_most = [](int& size, int most) { size = std::min(size, most); };
+    at_most(sizes.transmittance_mu, 128), at_most(sizes.transmittance_altitude, 64);
+    at_most(sizes.sun, 24), at_most(sizes.azimuth, 4), at_most(sizes.view, 8), at_most(sizes.altitude, 12);
+    at_most(wishes.bake.orders, 3);
+    wishes.cache.enabled = false;
+    return wishes;
+}
+
 // The scene with a method that this air can be drawn by: hillaire2020 stands for those whose tables are not there.
 Scene drawable(Scene scene, const std::optional<SceneAir>& air) {
     if (air && !air->tables && needs_tables(scene.air.method)) scene.air.method = AirMethodName::hillaire2020;
@@ -55,7 +66,7 @@ double milliseconds_of_air(std::span<const gpu::PassTime> times) {
 
 AirName air_name(const Scene& scene) { return {scene.atmosphere, scene.weather}; }
 
-AirJob::AirJob(const Scene& scene, const TableWishes& wishes) : name_(air_name(scene)), how_far_("begins") {
+AirJob::AirJob(const Scene& scene, const TableWishes& wishes, bool coarse_first) : name_(air_name(scene)), how_far_("begins") {
     TableWishes told = wishes;
     told.progress = {.report =
                          [this, tell = wishes.progress](std::string_view step, double fraction) {
@@ -64,9 +75,15 @@ AirJob::AirJob(const Scene& scene, const TableWishes& wishes) : name_(air_name(s
                              how_far_ = fmt::format("{}, {:.0f} %", step, 100.0 * fraction);
                          },
                      .stop = stop_.get_token()};
-    air_ = std::async(std::launch::async, [scene, told]() -> Result<std::optional<SceneAir>> {
+    air_ = std::async(std::launch::async, [this, scene, told, coarse_first]() -> Result<std::optional<SceneAir>> {
         const Result<std::optional<Atmosphere>> air = air_of(scene);
         if (!air) return air.error();
+        const TableWishes coarse = coarse_wishes(told);
+        if (coarse_first && *air && !(coarse.bake == told.bake) && !tables_are_kept(**air, told))
+            if (Result<std::optional<SceneAir>> made = scene_air_of(*air, true, coarse)) {
+                const std::lock_guard lock(mutex_);
+                coarse_ = *std::move(made);
+            }
         return scene_air_of(*air, true, told);
     });
 }
@@ -77,6 +94,11 @@ AirJob::~AirJob() {
 }
 
 bool AirJob::ready(std::chrono::milliseconds patience) const { return air_.wait_for(patience) == std::future_status::ready; }
+
+std::optional<SceneAir> AirJob::take_coarse() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(coarse_, std::nullopt);
+}
 
 std::string AirJob::how_far() const {
     const std::lock_guard lock(mutex_);
@@ -124,7 +146,7 @@ Result<Stage> Stage::create(const gpu::Context& context, const Scene& scene, int
     if (!made) return made.error();
     std::unique_ptr<AirJob> job;
     if (*named && needs_tables(scene.air.method)) {
-        job = std::make_unique<AirJob>(scene, wishes);
+        job = std::make_unique<AirJob>(scene, wishes, patience < AirJob::forever);
         if (job->ready(patience)) made = std::exchange(job, nullptr)->take();
         if (!made) return made.error();
     }
@@ -208,7 +230,7 @@ void Stage::follow_wish(const Scene& scene, const AirWish& wish) {
     air_failure_.clear();
     job_.reset();
     const bool known = wish.name == air_name(scene_);
-    if (known && (!wish.tables || !air_ || air_->tables)) return;
+    if (known && (!wish.tables || !air_ || (air_->tables && air_->tables->settings() == wishes_.bake))) return;
     Result<Done> taken = Done{};
     if (!known) {
         const Result<std::optional<Atmosphere>> air = air_of(scene);
@@ -216,7 +238,7 @@ void Stage::follow_wish(const Scene& scene, const AirWish& wish) {
         else taken = air.error();
     }
     if (!taken) air_failure_ = taken.error().message();
-    else if (wish.tables && air_) job_ = std::make_unique<AirJob>(scene, wishes_);
+    else if (wish.tables && air_) job_ = std::make_unique<AirJob>(scene, wishes_, true);
 }
 
 Result<Done> Stage::follow_job(const Scene& scene) {
@@ -225,6 +247,8 @@ Result<Done> Stage::follow_job(const Scene& scene) {
         if (!air) return air.error();
         return take_air(scene, *std::move(air), wished_air_.name);
     }
+    if (std::optional<SceneAir> coarse = job_ ? job_->take_coarse() : std::nullopt)
+        return take_air(scene, std::move(coarse), wished_air_.name);
     if (!(scene.air == scene_.air) || !sun_is_as_far(scene, scene_)) return take_air(scene, air_, air_name(scene_));
     return Done{};
 }
@@ -425,7 +449,7 @@ std::optional<std::string> Stage::at_work() const {
     if (begun_air_ || (other_ && other_->begun)) return "the tables of the air; until then hillaire2020 draws it";
     if (!job_) return std::nullopt;
     const AirName& name = job_->name();
-    return fmt::format("the air {}{}, until then by hillaire2020: {}", name.atmosphere, name.weather.empty() ? "" : " in its weather",
+    return fmt::format("the air {}{}, until then coarsely: {}", name.atmosphere, name.weather.empty() ? "" : " in its weather",
                        job_->how_far());
 }
 

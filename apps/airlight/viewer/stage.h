@@ -41,7 +41,8 @@ struct AirWish {
 // The air's tables on their way: baked, or loaded, on other threads.
 class AirJob {
 public:
-    AirJob(const Scene& scene, const TableWishes& wishes);
+    // `coarse_first`: where tables are not kept already, small ones come before, which take about a second.
+    AirJob(const Scene& scene, const TableWishes& wishes, bool coarse_first);
     ~AirJob();  // asks it to stop, and waits
     AirJob(const AirJob&) = delete;
     AirJob& operator=(const AirJob&) = delete;
@@ -52,6 +53,8 @@ public:
     bool ready(std::chrono::milliseconds patience) const;
     static constexpr std::chrono::milliseconds forever = std::chrono::hours(24 * 365);
     Result<std::optional<SceneAir>> take() { return air_.get(); }
+    // The small ones, once, if they are there.
+    std::optional<SceneAir> take_coarse();
     // "second order, 40 %"
     std::string how_far() const;
 
@@ -60,12 +63,14 @@ private:
     std::stop_source stop_;
     mutable std::mutex mutex_;
     std::string how_far_;
+    std::optional<SceneAir> coarse_;
     std::future<Result<std::optional<SceneAir>>> air_;
 };
 
 class Stage {
 public:
-    // Waits so long for the air's tables: what takes longer comes later, and until then hillaire2020, which needs none, draws the air.
+    // Waits so long for the air's tables: what takes longer comes later, and until then hillaire2020, which needs none, draws the air, or
+    // the method by coarse tables.
     // `context` outlives it.
     static Result<Stage> create(const gpu::Context& context, const Scene& scene, int width, int height, const TableWishes& wishes,
                                 std::chrono::milliseconds patience);
