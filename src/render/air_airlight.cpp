@@ -31,8 +31,12 @@ AirRayGrid grid_of(const Tables& tables, std::span<const Vec3> colours) {
             f32::transmittance_cosine_of_coordinate(h, part_of(i, AirRayGrid::sunlight_cosines), t.air.bottom, t.air.top);
         return f32::airlight_upward(t.air, t.transmittance_table(), h, mu) * t.air.solar_irradiance;
     };
-    const PackLight skylight = [&](std::size_t p, int i, int) {
-        return packs[p].diffuse_on_ground(f32::sun_of_coordinate(part_of(i, AirRayGrid::skylight_suns)).value);
+    const PackLight skylight = [&](std::size_t p, int i, int j) {
+        const AirlightTables& t = packs[p];
+        const auto upward = [&](f32::Length h) { return f32::airlight_upward(t.air, t.transmittance_table(), h, f32::Number(1.0f)); };
+        const f32::Length h = f32::altitude_of_coordinate(part_of(j, AirRayGrid::skylight_altitudes), t.air.top);
+        return t.diffuse_on_ground(f32::sun_of_coordinate(part_of(i, AirRayGrid::skylight_suns)).value) *
+               AirRayGrid::skylight_left(upward(h), upward(0.0f * f32::m));
     };
     return AirRayGrid(air, tables.packs()[0].air.densities.jumps_m(), sunlight, skylight);
 }

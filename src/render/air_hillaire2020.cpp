@@ -137,7 +137,12 @@ AirRayGrid grid_of(const Packs& packs, const ColouredAir& air) {
             ground[p][i] = sky_on_ground(packs[p], static_cast<double>(mu_s.value));
         });
     }
-    const PackLight skylight = [&](std::size_t p, int i, int) { return ground[p][static_cast<std::size_t>(i)]; };
+    const PackLight skylight = [&](std::size_t p, int i, int j) {
+        const f32::Hillaire2020& sky = packs[p].sky();
+        const auto upward = [&](f32::Length h) { return f32::hillaire2020_sunlight(packs[p].transmittance(), sky, h, f32::Number(1.0f)); };
+        const f32::Length h = f32::altitude_of_coordinate(part(j, AirRayGrid::skylight_altitudes), sky.top);
+        return ground[p][static_cast<std::size_t>(i)] * AirRayGrid::skylight_left(upward(h), upward(0.0f * f32::m));
+    };
     const PackAir densities = pack_air(optics.packs[0], {});
     return AirRayGrid(optics, densities.densities.jumps_m(), sunlight, skylight);
 }

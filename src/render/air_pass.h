@@ -1,7 +1,7 @@
 // The air as one post-process over any scene that fills the geometry buffer: aerial perspective, the sky, the sun's disk, and the light
 // of sun and sky on surfaces, by any method of air. From the ground to space. Uses the passes' buffers; knows no method.
 //
-// Leaves out: a surface's diffuse light is that of the sky over the ground sphere.
+// Leaves out: a surface has the light of an even sky, none from the planet or other surfaces.
 #pragma once
 
 #include <array>

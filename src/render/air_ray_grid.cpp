@@ -132,12 +132,17 @@ AirRayGrid::AirRayGrid(const Air& air, std::span<const double> jumps_m, const Pa
       jumps_m_(jumps_m.begin(), jumps_m.begin() + static_cast<std::ptrdiff_t>(std::min(jumps_m.size(), most_sky_segments - 1))),
       peak_(texture_of_row(reference_phase(air.packs))),
       sunlight_(colour_table(air, sunlight_cosines, sunlight_altitudes, sunlight)),
-      skylight_(colour_table(air, skylight_suns, 1, skylight)),
+      skylight_(colour_table(air, skylight_suns, skylight_altitudes, skylight)),
       rays_(sizeof(RaysBlock)),
       ways_(sizeof(Four) * static_cast<std::size_t>(most_rows())),
       shares_(shares_of(air.packs)),
       gathered_(of_zeros({ray_parts * space_grid.azimuths, most_rows(), shadow_grid.layers + 1})),
       sky_(of_zeros({sky_parts * space_grid.azimuths, kept_sky_rows})) {}
+
+f32::Spectrum AirRayGrid::skylight_left(const f32::Spectrum& from_there, const f32::Spectrum& from_ground) {
+    const f32::Spectrum all(f32::Number(1.0f));
+    return (all - from_there) / max(all - from_ground, f32::Spectrum(f32::Number(1e-9f)));
+}
 
 const AirRayGrid::Grid& AirRayGrid::grid_of(Length altitude, double sun_zenith) const {
     if (altitude.value > shell_.top_m) return space_grid;

@@ -33,9 +33,13 @@ public:
         std::span<const Vec3> colours;
     };
     // The tables that know no eye: irradiance by the sun's disk, by altitude_coordinate and transmittance_cosine_coordinate, and that of
-    // level ground by the sky, by sun_coordinate.
-    static constexpr int sunlight_cosines = 256, sunlight_altitudes = 32, skylight_suns = 256;
+    // a level surface by the sky, by altitude_coordinate and sun_coordinate.
+    static constexpr int sunlight_cosines = 256, sunlight_altitudes = 32, skylight_suns = 256, skylight_altitudes = 32;
     AirRayGrid(const Air& air, std::span<const double> jumps_m, const PackLight& sunlight, const PackLight& skylight);
+
+    // What is left of the ground's skylight above it: as much as air there takes of the light that the whole air takes from above, as if
+    // light were scattered once. Of transmittances straight up from there and from the ground.
+    static f32::Spectrum skylight_left(const f32::Spectrum& from_there, const f32::Spectrum& from_ground);
 
     // Gathers the light of an eye by a program whose text is made of air_march.glsl: once for each group of four wavelengths, after
     // bind(group).

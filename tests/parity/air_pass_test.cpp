@@ -19,6 +19,7 @@
 #include "tools/air_case.h"
 #include "tools/full_screen.h"
 #include "tools/gpu_case.h"
+#include "tools/skylight.h"
 
 using namespace airlight;
 using namespace airlight::test;
@@ -85,14 +86,12 @@ std::vector<double> seen_by_cpu(const Truth& model, const Sky& sky, const Camera
     if (wall.reflectance <= 0.0f) return seen;
     const Length altitude = std::max(glm::length(from_centre) - model.bottom_m(), 0.0) * m;
     const double zenith = angle_between(from_centre, sun), tilt = 0.5 + 0.5 * std::cos(zenith);
-    // Of the sky above a wall that stands higher than any ground as much is left as of the air.
-    const double sky_left = std::exp(-std::max((altitude - 10.0 * km).in(km), 0.0) / 8.0);
-    const std::vector<double> sunlight = *sky.sunlight_transmittance(altitude, zenith);
+    const std::vector<double> left = skylight_left(sky, altitude), sunlight = *sky.sunlight_transmittance(altitude, zenith);
     const f32::IrradianceSpectrum diffuse = model.tables.diffuse_on_ground(static_cast<float>(std::cos(zenith)));
     for (std::size_t w = 0; w < seen.size(); ++w)
         seen[w] +=
             air.transmittance[w] / pi * static_cast<double>(wall.reflectance) *
-            (sunlight[w] * model.atmosphere.sun.irradiance.at(wavelengths[w]).value + sky_left * tilt * static_cast<double>(diffuse.v[w]));
+            (sunlight[w] * model.atmosphere.sun.irradiance.at(wavelengths[w]).value + left[w] * tilt * static_cast<double>(diffuse.v[w]));
     return seen;
 }
 

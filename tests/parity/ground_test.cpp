@@ -17,6 +17,7 @@
 #include "terrain/ground_cover.h"
 #include "terrain/octahedral.h"
 #include "tools/gpu_case.h"
+#include "tools/must.h"
 
 using namespace airlight;
 using namespace airlight::test;
@@ -87,12 +88,6 @@ public:
     }
 
 private:
-    template <class T>
-    static T must(Result<T> made) {
-        if (!made) FAIL(made.error().message());
-        return std::move(*made);
-    }
-
     gpu::Texture light_texture_{{width, height}};
     gpu::Framebuffer target_;
     render::LightPass light_;

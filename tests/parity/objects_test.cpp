@@ -21,6 +21,7 @@
 #include "terrain/octahedral.h"
 #include "tools/gpu_case.h"
 #include "tools/object_rays.h"
+#include "tools/skylight.h"
 #include "tools/temporary_folder.h"
 
 using namespace airlight;
@@ -29,12 +30,6 @@ using namespace airlight::test;
 namespace {
 
 constexpr int side = 64;
-
-template <class T>
-T must(Result<T> made) {
-    if (!made) FAIL(made.error().message());
-    return std::move(*made);
-}
 
 // Where a ray of length one from `eye` enters an object from outside.
 struct Hit {
@@ -238,12 +233,12 @@ TEST_CASE("of an object half in the air each pixel has the light of the air befo
                 const AerialPerspective before = must(sky->aerial_perspective(view, truth.distance_m * m));
                 const double altitude = glm::length(place) - bottom_m, zenith = angle(place, sun);
                 const std::vector<double> sunlight = must(sky->sunlight_transmittance(std::min(altitude, top_m) * m, zenith));
-                const double sky_left = std::exp(-std::max(altitude - 10e3, 0.0) / 8e3);
+                const std::vector<double> left = skylight_left(*sky, std::min(altitude, top_m) * m);
                 const f32::IrradianceSpectrum diffuse = packed.diffuse_on_ground(static_cast<float>(std::cos(zenith)));
                 for (std::size_t w = 0; w < 3; ++w) {
                     const double lit =
                         sunlight[w] * atmosphere.sun.irradiance.at(wavelengths[w]).value * std::max(glm::dot(truth.normal, sun), 0.0) +
-                        sky_left * (0.5 + 0.5 * glm::dot(truth.normal, glm::normalize(place))) * static_cast<double>(diffuse.v[w]);
+                        left[w] * (0.5 + 0.5 * glm::dot(truth.normal, glm::normalize(place))) * static_cast<double>(diffuse.v[w]);
                     const double expected = before.inscattered_W_m2_sr_nm[w] + before.transmittance[w] * reflectance / pi * lit;
                     const double seen = static_cast<double>(pixels[4 * at + 2 - w]);
                     if (w == 1) fmt::print("  {:>6.0f} {:>20.0f} {:>24.4g} {:>12.4g}\n", eye_m, altitude, expected, seen);

@@ -2,7 +2,6 @@
 // AIRLIGHT_PICTURES=<folder> keeps the masks.
 
 #include <doctest/doctest.h>
-#include <epoxy/gl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,10 +13,10 @@
 #include "image/png.h"
 #include "render/camera_block.h"
 #include "render/geometry_buffer.h"
-#include "render/shaders.h"
 #include "render/shadow_pass.h"
 #include "terrain/procedural_relief.h"
 #include "terrain/raster_relief.h"
+#include "tools/full_screen.h"
 #include "tools/gpu_case.h"
 #include "tools/object_rays.h"
 
@@ -27,12 +26,6 @@ using namespace airlight::test;
 namespace {
 
 constexpr int width = 80, height = 45;
-
-template <class T>
-T must(Result<T> made) {
-    if (!made) FAIL(made.error().message());
-    return std::move(*made);
-}
 
 // The mask of a view: for each pixel, 1 where the sun sees its surface; and the depths.
 struct Masked {
@@ -44,27 +37,7 @@ public:
     explicit Scene(const HeightField& field, std::span<const Object> objects = {})
         : objects_(must(render::ObjectPass::create(objects))),
           terrain_(must(render::TerrainPass::create(
-              field, {.pixels_per_radian = 0.5 * height / std::tan(30.0 * deg), .pixels_of_error = 1.0, .pixels_of_square = 5.0}))) {
-        const auto read = [](const std::string& path) -> Result<std::string> {
-            const Result<gpu::ShaderText> file = render::shader_text(path);
-            if (!file) return file.error();
-            return file->text;
-        };
-        const gpu::ShaderText fragment = must(gpu::resolve_includes(R"(#version 450 core
-#include "camera.glsl"
-#include "shadow.glsl"
-layout(binding = 0) uniform sampler2D depth_buffer;
-layout(location = 0) in vec2 place;
-layout(location = 0) out vec4 seen;
-void main() {
-    float depth = texelFetch(depth_buffer, ivec2(gl_FragCoord.xy), 0).r;
-    seen = vec4(depth > 0.0 ? sun_visibility(position_at(place, depth)) : 1.0);
-}
-)",
-                                                                    gpu::ReadText(read)));
-        const gpu::Stage stages[] = {{GL_VERTEX_SHADER, must(render::shader_text("fullscreen.vert"))}, {GL_FRAGMENT_SHADER, fragment}};
-        mask_.emplace(must(gpu::Program::link("mask", stages)));
-    }
+              field, {.pixels_per_radian = 0.5 * height / std::tan(30.0 * deg), .pixels_of_error = 1.0, .pixels_of_square = 5.0}))) {}
 
     Masked draw(const Camera& camera, Vec3 towards_sun) {
         camera_.bind(camera);
@@ -76,8 +49,7 @@ void main() {
         shadows_.bind();
         target_.bind();
         surfaces_.depth().bind_sampler(0);
-        mask_->use();
-        triangle_.draw_triangles(3);
+        mask_.draw();
         Masked masked{std::vector<float>(4 * width * height), std::vector<float>(width * height)};
         texture_.read(masked.visibility);
         surfaces_.depth().read(masked.depth);
@@ -94,8 +66,17 @@ private:
     render::TerrainPass terrain_;
     render::ShadowPass shadows_ = must(render::ShadowPass::create());
     render::CameraBlock camera_;
-    std::optional<gpu::Program> mask_;
-    gpu::VertexArray triangle_;
+    FullScreen mask_{"mask", R"(#version 450 core
+#include "camera.glsl"
+#include "shadow.glsl"
+layout(binding = 0) uniform sampler2D depth_buffer;
+layout(location = 0) in vec2 place;
+layout(location = 0) out vec4 seen;
+void main() {
+    float depth = texelFetch(depth_buffer, ivec2(gl_FragCoord.xy), 0).r;
+    seen = vec4(depth > 0.0 ? sun_visibility(position_at(place, depth)) : 1.0);
+}
+)"};
 };
 
 double ground_m(const HeightField& field, Vec3 p) {

@@ -18,6 +18,7 @@
 #include "render/shafts_pass.h"
 #include "terrain/procedural_relief.h"
 #include "tools/gpu_case.h"
+#include "tools/must.h"
 
 using namespace airlight;
 using namespace airlight::test;
@@ -27,12 +28,6 @@ namespace {
 
 constexpr int width = 64, height = 36;
 constexpr double latitude = 36.2 * deg, longitude = 31.5 * deg;
-
-template <class T>
-T must(Result<T> made) {
-    if (!made) FAIL(made.error().message());
-    return std::move(*made);
-}
 
 // A method that is never drawn: the pass of air only tells what it knows of the frame.
 class NoMethod : public render::AirMethod {

@@ -16,6 +16,7 @@
 #include "render/terrain_pass.h"
 #include "terrain/procedural_relief.h"
 #include "tools/gpu_case.h"
+#include "tools/must.h"
 
 using namespace airlight;
 using namespace airlight::test;
@@ -65,11 +66,6 @@ public:
     const render::TerrainPass& terrain() const { return terrain_; }
 
 private:
-    template <class T>
-    static T must(Result<T> made) {
-        if (!made) FAIL(made.error().message());
-        return std::move(*made);
-    }
     static DetailSettings detail(int height) {
         return {.pixels_per_radian = 0.5 * height / std::tan(30.0 * deg), .pixels_of_error = 1.0, .pixels_of_square = 8.0};
     }

@@ -6,7 +6,7 @@
 //                                                       `once`: of inscattered, the light that was scattered once
 //   AirSeen air_seen(vec3 direction, float distance_m)   the air between the eye and a place; it ends at the ground sphere
 //   AirLight air_sunlight(float h, float mu_s)           irradiance of a surface at an altitude that faces the sun
-//   AirLight air_skylight(float mu_s)                    irradiance of level ground by the whole sky but the sun
+//   AirLight air_skylight(float h, float mu_s)           irradiance of a level surface by the whole sky above it but the sun
 //   AirLight air_sky(AirSeen seen, vec3 position, vec3 up, float h, vec3 direction)
 //                                                       radiance of the sky above a place, which is seen so, relative to the eye
 //   vec3 colour_of(AirLight light)                       red, green and blue
@@ -72,9 +72,6 @@ vec2 sunlit_from(float h, float mu_s) {
     return vec2(top, inside > 0.0 ? -sqrt(inside) / r_top : 1.0);
 }
 
-// What is left of the ground's skylight at an altitude that no ground reaches: as much as of the air.
-float sky_left(float h) { return exp(-max(h - 10e3, 0.0) / 8e3); }
-
 // The sky in water. Of a method that does not know the moon a share is `lit`. The light between the stars is that of all directions in the
 // mean, twice what air scatters of it.
 vec3 mirrored_sky(Surface surface, vec3 direction, vec3 lit, AirSeen seen) {
@@ -112,7 +109,7 @@ void main() {
         Passing lit = light_passing(surface.position, limb_darkening[0], limb_darkening[1]);
 #endif
         sum += shade.a * light.of_sun * lit.sun.rgb * colour_of(seen.transmittance * air_sunlight(from.x, from.y)) +
-               sky_left(surface.h) * light.of_sky * lit.sky.rgb * colour_of(seen.transmittance * air_skylight(mu_s)) +
+               light.of_sky * lit.sky.rgb * colour_of(seen.transmittance * air_skylight(surface.h, mu_s)) +
                light.of_sky * colour_through(night_illuminance.rgb, seen.transmittance);
 #ifndef AIR_WITHOUT_WATER
         if (surface.material.g > 0.0) sum += mirrored_sky(surface, direction, lit.sky.rgb, seen);

@@ -38,4 +38,8 @@ AirLight air_sky(AirSeen seen, vec3 position, vec3 up, float h, vec3 direction) 
     return scattered_once(light, angle_between(direction, towards_sun.xyz)) + light.multiple;
 }
 
-AirLight air_skylight(float mu_s) { return air.solar_irradiance * airlight_diffuse(diffuse, mu_s); }
+// The ground's, as much of it as the air above takes of the light that the whole air takes: so it is where light is scattered once.
+AirLight air_skylight(float h, float mu_s) {
+    vec4 taken = 1.0 - airlight_upward(transmittance, min(h, air.top), 1.0), whole = 1.0 - airlight_upward(transmittance, 0.0, 1.0);
+    return air.solar_irradiance * airlight_diffuse(diffuse, mu_s) * taken / max(whole, 1e-9);
+}

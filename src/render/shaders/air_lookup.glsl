@@ -3,7 +3,7 @@
 layout(binding = 8) uniform sampler3D rays;
 layout(binding = 9) uniform sampler2D peak;      // the reference phase function, by peak_coordinate
 layout(binding = 10) uniform sampler2D sunlight;  // logarithm of the irradiance of the whole sun's disk, [altitude][cosine]
-layout(binding = 11) uniform sampler2D skylight;  // logarithm of that on level ground, [sun_coordinate]
+layout(binding = 11) uniform sampler2D skylight;  // logarithm of that of a level surface by the sky, [altitude][sun_coordinate]
 layout(binding = 12) uniform sampler2D sky;       // radiance at the ends of ways into the sky of an eye in the air, by column and sky_row, of what
                                                   // has no peak; beside it, of what has one over `peak`
 #define AirLight vec3
@@ -90,6 +90,7 @@ AirLight air_sunlight(float h, float mu_s) {
            exp(textureLod(sunlight, (place * (size - 1.0) + 0.5) / size, 0.0).rgb);
 }
 
-AirLight air_skylight(float mu_s) {
-    return exp(look_up(skylight, vec2(texture_coordinate(sun_coordinate(mu_s), textureSize(skylight, 0).x), 0.5)).rgb);
+AirLight air_skylight(float h, float mu_s) {
+    vec2 size = vec2(textureSize(skylight, 0)), place = vec2(sun_coordinate(mu_s), altitude_coordinate(h, air_shell.y));
+    return exp(look_up(skylight, (place * (size - 1.0) + 0.5) / size).rgb);
 }

@@ -80,8 +80,9 @@ AirLight air_sky(AirSeen seen, vec3 position, vec3 up, float h, vec3 direction) 
     return light_from(ray, false, angle_between(direction, to_sun)).all;
 }
 
-// `diffuse` has a row for each altitude, of which the first is the ground.
-AirLight air_skylight(float mu_s) {
-    vec2 at = vec2(texture_coordinate(sun_coordinate(mu_s), air.sun_texels), 0.5 / float(air.source_axis.texels));
+// `diffuse` has a row for each altitude.
+AirLight air_skylight(float h, float mu_s) {
+    float row = airlight_texel(air.source_axis, min(h, air.top), air.top);
+    vec2 at = vec2(texture_coordinate(sun_coordinate(mu_s), air.sun_texels), (row + 0.5) / float(air.source_axis.texels));
     return air.solar_irradiance * exp(look_up(diffuse, at) * air.log_range + air.log_low);
 }
