@@ -30,12 +30,12 @@ AirWish wish_of(const viewer::Session& session) {
             needs_tables(session.air.method) || (compares(session) && needs_tables(session.comparison.with))};
 }
 
-// Of tables that are made in about a second, on two cores; nowhere finer than what is wished. They are not kept.
+// Of tables that are made within a second, on two cores; nowhere finer than what is wished. They are not kept.
 TableWishes coarse_wishes(TableWishes wishes) {
     TableSizes& sizes = wishes.bake.sizes;
     const auto at_most = [](int& size, int most) { size = std::min(size, most); };
     at_most(sizes.transmittance_mu, 128), at_most(sizes.transmittance_altitude, 64);
-    at_most(sizes.sun, 24), at_most(sizes.azimuth, 4), at_most(sizes.view, 8), at_most(sizes.altitude, 12);
+    at_most(sizes.sun, 16), at_most(sizes.azimuth, 4), at_most(sizes.view, 8), at_most(sizes.altitude, 12);
     at_most(wishes.bake.orders, 3);
     wishes.cache.enabled = false;
     return wishes;

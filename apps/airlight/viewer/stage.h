@@ -41,7 +41,7 @@ struct AirWish {
 // The air's tables on their way: baked, or loaded, on other threads.
 class AirJob {
 public:
-    // `coarse_first`: where tables are not kept already, small ones come before, which take about a second.
+    // `coarse_first`: where tables are not kept already, small ones come before, which take less than a second.
     AirJob(const Scene& scene, const TableWishes& wishes, bool coarse_first);
     ~AirJob();  // asks it to stop, and waits
     AirJob(const AirJob&) = delete;
