@@ -47,6 +47,9 @@ Scene drawable(Scene scene, const std::optional<SceneAir>& air) {
     return scene;
 }
 
+// Whether a method would have its first picture wait while it fills tables of its own.
+bool fills_tables(AirMethodName method) { return method == AirMethodName::bruneton2008; }
+
 // The colours of the air's light are those of the sun's distance when it was made. So far may they be apart, in parts of the distance:
 // 0.2 % of the light, some days of a year.
 constexpr double as_far = 1e-3;
@@ -150,12 +153,14 @@ Result<Stage> Stage::create(const gpu::Context& context, const Scene& scene, int
         if (job->ready(patience)) made = std::exchange(job, nullptr)->take();
         if (!made) return made.error();
     }
-    Result<std::optional<render::AirPass>> air = air_pass_of(*made, drawable(scene, *made));
+    Scene first = scene;  // then follow_air() takes what the session asks for
+    if (fills_tables(scene.air.method)) first.air.method = AirMethodName::hillaire2020;
+    Result<std::optional<render::AirPass>> air = air_pass_of(*made, drawable(first, *made));
     if (!air) return air.error();
-    Result<Passes> passes = make_passes(context, {scene, *ground, *colour, *objects, *made}, width, height);
+    Result<Passes> passes = make_passes(context, {first, *ground, *colour, *objects, *made}, width, height);
     if (!passes) return passes.error();
     passes->frame.exchange_air(*std::move(air));
-    return Stage(context, scene, wishes, *ground, *colour, *objects, *std::move(made), std::move(job), std::move(*passes));
+    return Stage(context, first, wishes, *ground, *colour, *objects, *std::move(made), std::move(job), std::move(*passes));
 }
 
 Stage::Stage(const gpu::Context& context, const Scene& scene, TableWishes wishes, HeightField ground, GroundColour colour,
@@ -197,12 +202,13 @@ Result<Done> Stage::remake(const Scene& scene) {
     }
     Result<std::vector<Object>> objects = objects_of(scene, ground);
     if (!objects) return objects.error();
-    Result<std::optional<render::AirPass>> air = air_pass_of(air_, drawable(next, air_));
-    if (!air) return air.error();
+    Result<Airs> airs = airs_of(air_, next);
+    if (!airs) return airs.error();
     Result<Passes> passes = make_passes(*context_, {next, ground, colour, *objects, air_, tiles}, width(), height());
     if (!passes) return passes.error();
-    passes->frame.exchange_air(*std::move(air));
+    passes->frame.exchange_air(std::move(airs->now));
     passes_ = std::move(*passes);
+    begun_air_ = std::move(airs->begun);
     other_.reset(), quick_air_.reset(), view_.reset();
     if (next.atmosphere != scene_.atmosphere) wished_air_ = {};
     ground_ = std::move(ground), colour_ = std::move(colour), objects_ = *std::move(objects), scene_ = std::move(next);
