@@ -97,18 +97,8 @@ std::vector<double> seen_by_cpu(const Truth& model, const Sky& sky, const Camera
 
 // The mean difference of a picture from the CPU's, over its mean.
 double mean_error(const std::vector<float>& pixels, const Truth& model, const Sky& sky, const Camera& camera, Vec3 sun, Wall wall) {
-    MeanError error;
-    const HalfSize half = half_size(camera);
-    for (int row = 0; row < height; ++row)
-        for (int column = 0; column < width; ++column) {
-            const double x = (column + 0.5) / width * 2.0 - 1.0, y = (row + 0.5) / height * 2.0 - 1.0;
-            const Vec3 ray = camera.forward + x * half.width * camera.right + y * half.height * camera.up;
-            const std::vector<double> exact = seen_by_cpu(model, sky, camera, ray, sun, wall);
-            for (std::size_t c = 0; c < 3; ++c)
-                error.add(static_cast<double>(pixels[static_cast<std::size_t>(4 * (row * width + column)) + c]),
-                          exact[wavelength_of_channel[c]]);
-        }
-    return error.value();
+    return test::mean_error(pixels, camera,
+                            [&](Vec3 way) { return seen_by_cpu(model, sky, camera, way / glm::dot(way, camera.forward), sun, wall); });
 }
 
 }  // namespace

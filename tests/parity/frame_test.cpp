@@ -16,6 +16,7 @@
 #include "terrain/raster_relief.h"
 #include "terrain/surface_image.h"
 #include "tools/gpu_case.h"
+#include "tools/quick_bake.h"
 #include "tools/temporary_folder.h"
 #include "transport/table_cache.h"
 
@@ -23,12 +24,6 @@ using namespace airlight;
 using namespace airlight::test;
 
 namespace {
-
-// Three of them are the three channels.
-const std::vector<Wavelength> wavelengths = {450.0 * nm, 500.0 * nm, 550.0 * nm, 650.0 * nm};
-const std::vector<Vec3> colours = {{0, 0, 1}, {0, 0, 0}, {0, 1, 0}, {1, 0, 0}};
-const BakeSettings bake = {
-    .sizes = {.transmittance_mu = 64, .transmittance_altitude = 32, .sun = 24, .azimuth = 4, .view = 8, .altitude = 12}, .orders = 2};
 
 // A sphere of grey ground under one star that no picture of a night here shows.
 class Planet {

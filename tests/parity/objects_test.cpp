@@ -87,6 +87,13 @@ Errors errors_of(const Object& object, const Camera& camera) {
     return errors;
 }
 
+void check(const Errors& errors, std::size_t fewest_hits) {
+    CHECK(errors.hits > fewest_hits);
+    CHECK(errors.elsewhere == 0);
+    CHECK(errors.depth <= 1e-6);
+    CHECK(errors.normal <= 1e-4);
+}
+
 Camera camera_towards(Vec3 eye, Vec3 place) {
     Camera camera = look(eye, place - eye, Vec3(0.0, 0.0, 1.0));
     camera.width = camera.height = side;
@@ -110,10 +117,7 @@ TEST_CASE("an object's depth is right to a millionth of its distance, and its no
                 const Object object = turned(shape, eye + distance_m * towards, half_size);
                 const Errors errors = errors_of(object, camera_towards(eye, object.centre));
                 fmt::print("  {:>12.0f} {:>12.4g}  {:.1e} {:.1e}\n", distance_m, half_size.x, errors.depth, errors.normal);
-                CHECK(errors.hits > 20);
-                CHECK(errors.elsewhere == 0);
-                CHECK(errors.depth <= 1e-6);
-                CHECK(errors.normal <= 1e-4);
+                check(errors, 20);
             }
 }
 
@@ -129,10 +133,7 @@ TEST_CASE("an eye that stands 1 m from a moon, or from a wall of 1000 km, sees i
             for (const Vec3 way : {object.forward - 0.1 * object.right, 0.2 * object.up - object.right}) {
                 const Errors errors = errors_of(object, camera_towards(eye, eye + way));
                 fmt::print("  half of {:>8.0f} m: {:.1e} {:.1e}\n", half_m, errors.depth, errors.normal);
-                CHECK(errors.hits > 500);
-                CHECK(errors.elsewhere == 0);
-                CHECK(errors.depth <= 1e-6);
-                CHECK(errors.normal <= 1e-4);
+                check(errors, 500);
             }
         }
 }

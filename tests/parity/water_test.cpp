@@ -73,8 +73,7 @@ void main() {
 
 // The light of the sky by still water of a refractive index of 1.33, by Fresnel's equations, towards the eye; none where there is no water, or the
 // sun's glint.
-std::vector<double> mirrored_by_cpu(const Truth& model, const Camera& camera, Vec3 ray, Vec3 sun) {
-    const Vec3 way = glm::normalize(ray);
+std::vector<double> mirrored_by_cpu(const Truth& model, const Camera& camera, Vec3 way, Vec3 sun) {
     const double along = -glm::dot(camera.eye, way), beside = glm::length(camera.eye + along * way), bottom = model.bottom_m();
     if (along <= 0.0 || beside >= bottom) return {};
     const double distance = along - std::sqrt((bottom - beside) * (bottom + beside));
@@ -94,16 +93,7 @@ std::vector<double> mirrored_by_cpu(const Truth& model, const Camera& camera, Ve
 }
 
 double mean_mirror_error(const std::vector<double>& seen, const Truth& model, const Camera& camera, Vec3 sun) {
-    MeanError error;
-    for (int row = 0; row < height; ++row)
-        for (int column = 0; column < width; ++column) {
-            const Vec3 ray = direction_at(camera, (column + 0.5) / width * 2.0 - 1.0, (row + 0.5) / height * 2.0 - 1.0);
-            const std::vector<double> exact = mirrored_by_cpu(model, camera, ray, sun);
-            if (exact.empty()) continue;
-            for (std::size_t c = 0; c < 3; ++c)
-                error.add(seen[static_cast<std::size_t>(4 * (row * width + column)) + c], exact[wavelength_of_channel[c]]);
-        }
-    return error.value();
+    return mean_error(seen, camera, [&](Vec3 way) { return mirrored_by_cpu(model, camera, way, sun); });
 }
 
 }  // namespace

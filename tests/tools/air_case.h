@@ -72,4 +72,20 @@ private:
     double difference_ = 0.0, sum_ = 0.0;
 };
 
+// Of a picture from what is expected of each pixel's direction: a value for each wavelength, or none where nothing is.
+template <class Pixels, class Expected>
+double mean_error(const Pixels& pixels, const Camera& camera, const Expected& expected) {
+    MeanError error;
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column) {
+            const std::vector<double> exact =
+                expected(direction_at(camera, (column + 0.5) / width * 2.0 - 1.0, (row + 0.5) / height * 2.0 - 1.0));
+            if (exact.empty()) continue;
+            for (std::size_t c = 0; c < 3; ++c)
+                error.add(static_cast<double>(pixels[static_cast<std::size_t>(4 * (row * width + column)) + c]),
+                          exact[wavelength_of_channel[c]]);
+        }
+    return error.value();
+}
+
 }  // namespace airlight::test

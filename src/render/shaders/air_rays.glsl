@@ -1,4 +1,4 @@
-// The rays along which the method `airlight` keeps the light of a frame (src/render/air_rays.h), and the places on them: a column of
+// The rays along which the method `airlight` keeps the light of a frame (src/render/air_ray_grid.h), and the places on them: a column of
 // texels for each azimuth from the sun and each row of view zenith angles, a layer for each place on the way.
 #include "air_view.glsl"
 #include "physics/angle.glsl"
